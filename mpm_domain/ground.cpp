@@ -1,9 +1,11 @@
 #include "mpm_domain/ground.hpp"
 
 #include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/head/seepage_of_ground.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/particles/fill_bodies.hpp"
 #include "mpm_domain/particles/share_out.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -35,9 +38,13 @@ void check_structures(const Spec& spec) {
       throw std::invalid_argument(
           fmt::format("structure '{}' needs friction and adhesion for each of {} soils", structure.name,
                       spec.soils.size()));
+}
+
+/// Holes of elastic structures are dry.
+void check_holes(const Spec& spec, const std::optional<Head>& head) {
   for (const Structure& structure : spec.structures)
-    if (structure.stiffness && spec.water && std::ranges::any_of(structure.hole, [&](const Vector& corner) {
-          return corner.y < spec.water->level;
+    if (structure.stiffness && head && std::ranges::any_of(structure.hole, [&](const Vector& corner) {
+          return head->is_wet(corner.x, corner.y);
         }))
       throw std::invalid_argument(
           fmt::format("the hole of structure '{}' reaches below the water table: it must be rigid there",
@@ -258,11 +265,12 @@ void weigh_across(Ground& ground, int slowest_clock) {
 }
 
 Ground::Ground(const Spec& specification)
-    : spec(checked(specification)), grid(make_grid(spec)), workers(spec.threads) {
+    : spec(checked(specification)), head(head_of(spec)), grid(make_grid(spec)), workers(spec.threads) {
+  check_holes(spec, head);
   rebuild_mesh(*this);
-  sets = fill(spec, mesh ? &mesh->tree() : nullptr);
+  sets = fill(spec, head, mesh ? &mesh->tree() : nullptr);
   soil_sets = sets.size();
-  for (Particles& set : fill_bodies(spec, soil_lattice_count() - 1)) {
+  for (Particles& set : fill_bodies(spec, head, soil_lattice_count() - 1)) {
     bodies.resize(*set.body + 1);
     sets.push_back(std::move(set));
   }
@@ -271,6 +279,8 @@ Ground::Ground(const Spec& specification)
     grid.traits.wet |= set.water && set.size() > 0;
     grid.traits.flowing |= set.traits.flowing && set.size() > 0;
   }
+  if (head)
+    take_head(*this, *head);
   waiting_strains.resize(sets.size());
   waiting_pressures.resize(sets.size());
 }
@@ -351,6 +361,16 @@ void rest_if_due(Ground& ground, double time) {
       set.water->pores.permeability =
           rest->speed(time) * ground.spec.soils[set.soil_index].pores->permeability;
   }
+}
+
+void take_head(Ground& ground, Head head) {
+  ground.head = std::move(head);
+  for (Particles& set : ground.sets)
+    if (set.water)
+      take_head(set, *ground.head);
+  ground.grid.traits.seeping = std::ranges::any_of(
+      ground.sets, [](const Particles& set) { return set.traits.seeping && set.size() > 0; });
+  resize_fields(ground.grid, ground.grid.size());
 }
 
 double particle_updates_per_step(const Ground& ground) {

@@ -6,6 +6,7 @@
 #include "mpm_domain/grid/graded_mesh.hpp"
 #include "mpm_domain/grid/grid.hpp"
 #include "mpm_domain/grid/soil_rows.hpp"
+#include "mpm_domain/head/head.hpp"
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/spec/spec.hpp"
 #include "mpm_domain/tiles/deal.hpp"
@@ -73,6 +74,7 @@ struct Ground {
   explicit Ground(const Spec& specification);
 
   Spec spec;
+  std::optional<Head> head; ///< of the undisturbed water; none without water
   Grid grid;
   std::optional<GradedMesh> mesh; ///< where the spec refines; without it the grid is one lattice
   Prolongation images;            ///< of periodic sides without a mesh: ties()
@@ -95,6 +97,7 @@ struct Ground {
 
   bool has_water() const { return grid.traits.wet; }
   bool has_flow() const { return grid.traits.flowing; }
+  bool has_seepage() const { return grid.traits.seeping; } ///< whether the head varies
   bool has_pore_pressure() const;
   bool is_sharp() const { return grid.traits.sharp; } ///< whether dispersion is reduced
   /// Whether a velocity that comes back from the particles strains the soil.
@@ -176,6 +179,10 @@ double empty_mass(const Ground& ground);
 /// times from its beginning on.
 /// @param time  that the ground has come to, s
 void rest_if_due(Ground& ground, double time);
+
+/// Puts a head in the place of that of the undisturbed water: pore pressures become those that go with it,
+/// and the grid's fields zero. Which soil is wet stays as it was at the start.
+void take_head(Ground& ground, Head head);
 
 /// How often a step of clock 0 moves a particle, added up over the particles of all ranks.
 double particle_updates_per_step(const Ground& ground);

@@ -206,6 +206,7 @@ struct SpringKeys {
 struct LateralBoundary {
   FreeFieldModel field;
   double surface = 0.0;           ///< y of its free surface, m
+  double water_level = 0.0;       ///< y of its water table, m; only with Case::water
   std::vector<Layer> own_profile; ///< its own layers; empty: Case::profile
   Absorber absorber = Absorber::dashpots;
   SpringKeys springs;

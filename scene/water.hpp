@@ -1,19 +1,53 @@
 #pragma once
 
 #include "materials/water/pore_water.hpp"
+#include "scene/choices.hpp"
+#include "scene/geometry.hpp"
+
+#include <algorithm>
+#include <optional>
 
 namespace tremolo::scene {
 
-/// [water]: the water table and the water below it. A table above the ground is free water that the ground
-/// carries.
-struct GroundWater {
-  double level = 0.0; ///< y of the table, m
-  materials::PoreFluid fluid;
+/// Levels of the water at both sides of the model, m.
+struct SideLevels {
+  double left = 0.0;
+  double right = 0.0;
+};
 
-  /// Hydrostatic pressure at y, Pa; 0 above the table.
+/// [water]: the undisturbed ground water and what water is. Water over the ground is free water that the
+/// ground carries.
+struct GroundWater {
+  double level = 0.0; ///< y of the table; where that is not level, of the one at the left side, m
+  materials::PoreFluid fluid;
+  Polygon line = {};                      ///< corners of a phreatic line that is not level; otherwise empty
+  std::optional<SideLevels> seepage = {}; ///< water flows between these
+
+  bool is_level() const { return line.empty() && !seepage; }
+  /// The level at a side, and below its free field, m.
+  double beside(Side side) const {
+    if (seepage)
+      return side == Side::right ? seepage->right : seepage->left;
+    if (!line.empty())
+      return side == Side::right ? line.back().y : line.front().y;
+    return level;
+  }
+  /// The highest level that there is, m.
+  double highest() const {
+    if (!line.empty())
+      return std::ranges::max(line, {}, &Point::y).y;
+    return std::max(beside(Side::left), beside(Side::right));
+  }
+
+  /// Pressure at y of water at rest below a table, Pa; 0 above it.
   double pressure(double y, double gravity) const {
     return y < level ? fluid.density * gravity * (level - y) : 0.0;
   }
 };
+
+/// That of a level table.
+inline GroundWater at_level(GroundWater water, double level) {
+  return {level, water.fluid};
+}
 
 } // namespace tremolo::scene

@@ -1,3 +1,4 @@
+#include "app/case/seepage_text.hpp"
 #include "app/commands.hpp"
 #include "app/free_field/column/column_ground.hpp"
 #include "app/free_field/motion_levels.hpp"
@@ -92,7 +93,7 @@ void add_explain(Command& app) {
       fmt::print("{}\n", scene::resolved_json(scene, plan));
       return;
     }
-    fmt::print("{}  {}", scene::explain(scene, plan), motion_levels_text(scene));
+    fmt::print("{}  {}{}", scene::explain(scene, plan), motion_levels_text(scene), seepage_text(scene));
     if (ranks->count > 1)
       fmt::print("{}", told_of_ranks(scene, *ranks));
     if (*values)

@@ -69,13 +69,18 @@ results::Table settlement(const FreeFieldSeries& series) {
   return {{{"time", "s", std::move(time)}, {"settlement", "m", std::move(down)}}};
 }
 
+/// The water below a source's surface, at rest.
+scene::GroundWater water_of(const scene::Case& scene, const scene::SourceProcess& source) {
+  return scene::at_level(*scene.water, scene::water_level(scene, source));
+}
+
 results::Table over_depth(const scene::Case& scene, const scene::SourceProcess& source,
                           const FreeFieldSeries& series) {
   std::vector<double> y, effective, pressure, ru, down;
   for (const std::size_t k : single_levels(series)) {
     y.push_back(series.levels[k]);
     effective.push_back(initial_effective_stress(scene, source, y.back()));
-    pressure.push_back(scene.water->pressure(y.back(), gravity(scene)));
+    pressure.push_back(water_of(scene, source).pressure(y.back(), gravity(scene)));
     ru.push_back(ratio(largest_pore_pressure(series, k), effective.back()));
     down.push_back(series.at(0).back().uy - series.at(k).back().uy);
   }
@@ -96,13 +101,14 @@ bool has_pore_pressure(const scene::Case& scene, const scene::SourceProcess& sou
 double initial_effective_stress(const scene::Case& scene, const scene::SourceProcess& source, double y) {
   const double g = gravity(scene);
   double top = source.surface;
-  double stress = scene.water->pressure(source.surface, g);
+  const scene::GroundWater water = water_of(scene, source);
+  double stress = water.pressure(source.surface, g);
   for (const scene::Layer& layer : scene::layers(scene, source)) {
     const double bottom = std::max(top - layer.thickness, y);
     stress += layer.elastic.density * g * std::max(top - bottom, 0.0);
     top -= layer.thickness;
   }
-  return stress - scene.water->pressure(y, g);
+  return stress - water.pressure(y, g);
 }
 
 void add_water(const scene::Case& scene, const scene::SourceProcess& source, const FreeFieldSeries& series,

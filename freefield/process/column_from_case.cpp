@@ -65,7 +65,7 @@ Profile profile_from_case(const scene::Case& scene, const scene::SourceProcess& 
                           Water water) {
   Profile profile{source.surface, {}, scene.halfspace};
   if (scene.water)
-    profile.water = WaterTable{scene.water->level, scene.water->fluid};
+    profile.water = WaterTable{scene::water_level(scene, source), scene.water->fluid};
   profile.gravity = scene.gravity ? scene.gravity->acceleration : 0.0;
   for (const scene::Layer& layer : scene::layers(scene, source))
     profile.layers.push_back(layer_from_case(scene, layer, element_size, water));

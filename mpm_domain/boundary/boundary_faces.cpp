@@ -3,6 +3,7 @@
 #include "mpm_domain/grid/box_average.hpp"
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ FacePlace place_of(const BoundaryFace& face, const Particles& set) {
 
 FaceSoil soil_at(const BoundaryFace& face, const Particles& set) {
   const std::size_t k = set.index_of[face.id];
-  const double excess = set.traits.wet ? set.water->excess(set.pore_pressure[k], set.y[k]) : 0.0;
+  const double excess = set.traits.wet ? excess_pressure(set, k) : 0.0;
   const FacePlace place = place_of(face, set);
   const double length = face.side == Side::base ? face.length : set.volume[k] / (2.0 * place.half.x);
   return {place, set.x[k] - face.start_x, set.syy[k] - excess, excess, length};

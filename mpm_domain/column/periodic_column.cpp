@@ -10,6 +10,7 @@
 #include "mpm_domain/column/periodic_column.hpp"
 
 #include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/strain/total_stress.hpp"
 
@@ -269,7 +270,7 @@ std::vector<PeriodicColumn::Row> PeriodicColumn::rows() const {
     const TotalStress stress = total_stress(set, k);
     all.push_back({{stress.xx, stress.yy, stress.xy},
                    {set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]},
-                   set.traits.wet ? set.water->excess(set.pore_pressure[k], set.y[k]) : 0.0});
+                   set.traits.wet ? excess_pressure(set, k) : 0.0});
   }
   return all;
 }

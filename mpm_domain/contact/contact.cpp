@@ -68,10 +68,10 @@ ContactWork push(Ground& ground, std::size_t n, double mass, const Vector& chang
           .gravity = -0.5 * dt * ground.spec.gravity * mass * change.y};
 }
 
-std::optional<WaterAtRest> water_at_rest(const Spec& spec) {
-  if (!spec.water)
+std::optional<WaterAround> water_around(const Ground& ground) {
+  if (!ground.head)
     return std::nullopt;
-  return WaterAtRest{spec.water->level, spec.water->fluid.density * spec.gravity};
+  return WaterAround{*ground.head, ground.spec.water->fluid.density * ground.spec.gravity};
 }
 
 } // namespace
@@ -173,7 +173,7 @@ void Contact::refuse_coarse_cells(const Ground& ground, std::size_t body) const 
 }
 
 void Contact::weigh(const Ground& ground, std::size_t body, double share) {
-  const RigidLoad whole = bodies_[body].load(ground.spec.gravity, water_at_rest(ground.spec));
+  const RigidLoad whole = bodies_[body].load(ground.spec.gravity, water_around(ground));
   loads_[body] = {{share * whole.force.x, share * whole.force.y}, share * whole.moment};
 }
 

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/kernel/kernel.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -122,10 +123,10 @@ void ContactNodes::sum_particles(const Ground& ground, const Structure& structur
     if (!p.traits.wet)
       continue;
     sums.wet += vs;
-    sums.suction += vs * (p.water->fluid.cavitation_pressure - p.water->hydrostatic(p.y[k]));
+    sums.suction += vs * (p.water->fluid.cavitation_pressure - rest_pressure(p, k));
     if (p.traits.flowing)
       continue;
-    const double excess = p.water->excess(p.pore_pressure[k], p.y[k]);
+    const double excess = excess_pressure(p, k);
     sums.sealed += vs;
     sums.sealed_force = {sums.sealed_force.x + excess * gradient.x,
                          sums.sealed_force.y + excess * gradient.y};

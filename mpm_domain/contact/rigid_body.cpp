@@ -69,11 +69,31 @@ std::vector<Vector> RigidBody::hole() const {
   return turned(hole_);
 }
 
-RigidLoad RigidBody::load(double gravity, const std::optional<WaterAtRest>& water) const {
+void RigidBody::add_pressure(RigidLoad& load, const WaterAround& water) const {
+  constexpr int parts = 32; // of an edge: the pressure bends where the phreatic surface meets it
+  for (std::size_t i = 0, j = outline().size() - 1; i < outline().size(); j = i++) {
+    const Vector& a = outline()[j];
+    const Vector along{(outline()[i].x - a.x) / parts, (outline()[i].y - a.y) / parts};
+    for (int part = 0; part < parts; ++part) {
+      const Vector at{a.x + (part + 0.5) * along.x, a.y + (part + 0.5) * along.y};
+      const double p = std::max(water.unit_weight * (water.head.at(at.x, at.y).head - at.y), 0.0);
+      const Vector push{-p * along.y, p * along.x}; // the outline runs counter-clockwise
+      load.force = {load.force.x + push.x, load.force.y + push.y};
+      load.moment += cross(arm(at), push);
+    }
+  }
+}
+
+RigidLoad RigidBody::load(double gravity, const std::optional<WaterAround>& water) const {
   RigidLoad load{{0.0, -mass_ * gravity}, 0.0};
   if (!water)
     return load;
-  const mesh::PolygonMeasures below = mesh::measures(mesh::part_below(outline(), water->level));
+  const double* const level = water->head.level();
+  if (level == nullptr) {
+    add_pressure(load, *water);
+    return load;
+  }
+  const mesh::PolygonMeasures below = mesh::measures(mesh::part_below(outline(), *level));
   const double lift = water->unit_weight * below.area;
   load.force.y += lift;
   load.moment += lift * (below.x - centre_.x);

@@ -6,11 +6,17 @@
 //     M dV/dt = -M g e_y + gamma A_w e_y,        I domega/dt = gamma A_w (x_w - X) . e_x,
 //
 // with A_w and x_w area and centroid of the part of its outline below the water table: hydrostatic pressure
-// acts on all of the outline there. Everything else, effective stress and excess pressure, comes through
+// acts on all of the outline there. Where the head varies, pressure p_0 = max(gamma (h - y), 0) is added up
+// along the outline,
+//
+//     F = -int p_0 n ds,        M = -int p_0 (x - X) x n ds.
+//
+// Everything else, effective stress and excess pressure, comes through
 // contact (rigid_contact.hpp). V and omega belong to the same times as velocities of particles, X and theta
 // to those of their places.
 
 #include "mpm_domain/contact/body_surface.hpp"
+#include "mpm_domain/head/head.hpp"
 #include "mpm_domain/spec/structure.hpp"
 
 #include <optional>
@@ -34,9 +40,9 @@ struct RigidLoad {
   double moment = 0.0; ///< N
 };
 
-/// Water at rest around a body.
-struct WaterAtRest {
-  double level = 0.0;       ///< y of the table, m
+/// Undisturbed water around a body.
+struct WaterAround {
+  const Head& head;
   double unit_weight = 0.0; ///< N/m3
 };
 
@@ -65,7 +71,7 @@ public:
   Vector arm(const Vector& place) const { return {place.x - centre_.x, place.y - centre_.y}; }
 
   /// Weight and, with water around it, buoyancy.
-  RigidLoad load(double gravity, const std::optional<WaterAtRest>& water) const;
+  RigidLoad load(double gravity, const std::optional<WaterAround>& water) const;
 
   /// Moves by its velocity for dt (s).
   void move(double dt);
@@ -75,6 +81,7 @@ public:
   void set_state(const std::vector<double>& state);
 
 private:
+  void add_pressure(RigidLoad& load, const WaterAround& water) const;
   std::vector<Vector> turned(const std::vector<Vector>& corners) const;
 
   std::string name_;

@@ -33,6 +33,7 @@ enum class NodeGroup {
   fullness,       ///< derived from masses: how much soil there is around a node
   inside,         ///< derived from it: where a node has soil on all sides
   sharpened,      ///< derived
+  seepage,        ///< summed over particles under water whose head varies
 };
 
 /// Which domains have a group.
@@ -41,13 +42,16 @@ enum class NodeTrait {
   wet,     ///< with soil below the water table
   flowing, ///< with soil whose pore water flows
   sharp,   ///< with reduced dispersion
+  seeping, ///< with water whose head varies
 };
 constexpr NodeTrait trait_of(NodeGroup group) {
   if (group < NodeGroup::pores)
     return NodeTrait::always;
   if (group < NodeGroup::volume_flux)
     return NodeTrait::wet;
-  return group < NodeGroup::fullness ? NodeTrait::flowing : NodeTrait::sharp;
+  if (group < NodeGroup::fullness)
+    return NodeTrait::flowing;
+  return group < NodeGroup::seepage ? NodeTrait::sharp : NodeTrait::seeping;
 }
 
 /// The traits of a domain.
@@ -55,6 +59,7 @@ struct NodeTraits {
   bool wet = false;     ///< soil lies below the water table
   bool flowing = false; ///< and water flows in it
   bool sharp = false;   ///< dispersion is reduced
+  bool seeping = false; ///< the head of the undisturbed water varies
 
   constexpr bool have(NodeTrait trait) const {
     switch (trait) {
@@ -66,6 +71,8 @@ struct NodeTraits {
       return flowing;
     case NodeTrait::sharp:
       return sharp;
+    case NodeTrait::seeping:
+      return seeping;
     }
     return false;
   }
@@ -98,8 +105,9 @@ struct NodeFields {
   NodeField wx_after, wy_after;                 ///< v_f+, m/s
   NodeField fullness;                           ///< e (dispersion/fullness.hpp), 1
   NodeField inside_x, inside_y, inside_both;    ///< chi of both directions, and of both together, 1
-  NodeField inside_block;     ///< 1 where e is 1 at all 4 x 4 nodes from this one on, else 0
-  NodeField sharp_x, sharp_y; ///< what sharpening gives, m/s or N/m (dispersion/sharpening.hpp)
+  NodeField inside_block;         ///< 1 where e is 1 at all 4 x 4 nodes from this one on, else 0
+  NodeField seepage_x, seepage_y; ///< seepage force (water/seepage_force.hpp), N/m
+  NodeField sharp_x, sharp_y;     ///< what sharpening gives, m/s or N/m (dispersion/sharpening.hpp)
 };
 
 /// A line of the table.
@@ -155,6 +163,8 @@ inline constexpr std::array node_field_table{
     NodeFieldDescription{"inside_block", "1", NodeGroup::inside, &NodeFields::inside_block},
     NodeFieldDescription{"sharp_x", "m/s or N/m", NodeGroup::sharpened, &NodeFields::sharp_x},
     NodeFieldDescription{"sharp_y", "m/s or N/m", NodeGroup::sharpened, &NodeFields::sharp_y},
+    NodeFieldDescription{"seepage_x", "N/m", NodeGroup::seepage, &NodeFields::seepage_x},
+    NodeFieldDescription{"seepage_y", "N/m", NodeGroup::seepage, &NodeFields::seepage_y},
 };
 
 /// The fields that particles add up to, in the order in which tiles keep their sums. Those of the water stand
@@ -177,6 +187,8 @@ enum class Sum : std::size_t {
   resistance,
   lift,
   pore_volume,
+  seepage_x,
+  seepage_y,
 };
 inline constexpr std::array particle_sums{&NodeFields::mass,
                                           &NodeFields::momentum_x,
@@ -194,7 +206,9 @@ inline constexpr std::array particle_sums{&NodeFields::mass,
                                           &NodeFields::wet_volume,
                                           &NodeFields::resistance,
                                           &NodeFields::lift,
-                                          &NodeFields::pore_volume};
+                                          &NodeFields::pore_volume,
+                                          &NodeFields::seepage_x,
+                                          &NodeFields::seepage_y};
 
 /// Fields [first, end) of particle_sums.
 struct SumRange {

@@ -44,6 +44,9 @@ const std::vector<ParticleFieldDescription>& particle_field_table() {
       {"wbxy", "m2/s", "affine momentum over mass of the water", flowing_affine, moved, "", &F::wbxy},
       {"wbyx", "m2/s", "affine momentum over mass of the water", flowing_affine, moved, "", &F::wbyx},
       {"wbyy", "m2/s", "affine momentum over mass of the water", flowing_affine, moved, "", &F::wbyy},
+      {"head", "m", "head of the undisturbed water", seeping, copied, "", &F::head},
+      {"head_slope_x", "1", "gradient of this head", seeping, copied, "", &F::head_slope_x},
+      {"head_slope_y", "1", "gradient of this head", seeping, copied, "", &F::head_slope_y},
   };
   return table;
 }

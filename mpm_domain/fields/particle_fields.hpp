@@ -21,6 +21,7 @@ enum class FieldTrait {
   wet,       ///< of soil below the water table that has a pore pressure
   flowing,   ///< of soil whose pore water flows
   flowing_affine,
+  seeping, ///< under water whose head varies
 };
 
 /// What becomes of a field when a particle is cut in four.
@@ -43,6 +44,7 @@ struct ParticleFields {
   std::vector<double> viscous_xx, viscous_yy, viscous_xy; ///< stress of viscous damping (viscous_stress.hpp)
   std::vector<double> pore_pressure;                      ///< p*, compression positive (pore_water.hpp)
   std::vector<double> pressure_at_rest, vertical_at_rest; ///< p, and effective syy, before the shaking
+  std::vector<double> head, head_slope_x, head_slope_y;   ///< of the undisturbed water (head.hpp)
   std::vector<double> wx, wy;                             ///< velocity v_f of the pore water
   std::vector<double> wbxx, wbxy, wbyx, wbyy;             ///< its B
   std::vector<double> mass, volume;                       ///< per metre out of plane
@@ -75,6 +77,7 @@ struct ParticleTraits {
   bool damped = false;
   bool wet = false;
   bool flowing = false;
+  bool seeping = false;
 
   bool have(FieldTrait trait) const {
     switch (trait) {
@@ -94,6 +97,8 @@ struct ParticleTraits {
       return flowing;
     case FieldTrait::flowing_affine:
       return flowing && affine;
+    case FieldTrait::seeping:
+      return seeping;
     }
     return false;
   }

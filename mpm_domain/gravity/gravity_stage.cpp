@@ -6,6 +6,7 @@
 #include "mpm_domain/tiles/cell_means.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
+#include "mpm_domain/water/seepage_force.hpp"
 
 #include <fmt/format.h>
 
@@ -98,6 +99,8 @@ std::vector<std::size_t> release(Domain& domain, Relaxation& relaxation, const C
     moving = moving_bodies(domain);
     domain.sets = bonded;
     scatter(domain, ScatterPart::force);
+    if (domain.has_seepage())
+      add_seepage(domain, domain.soil_rows);
   }
   domain.contact.end_rest();
   return moving;

@@ -6,9 +6,10 @@
 //
 //     m_i dv_i/dt = f_i - alpha m_i v_i,      alpha = 2 omega_1,      omega_1 = pi c_s / (2 H),
 //
-// where soil weighs what it weighs under water, and its pore pressure stays hydrostatic. It damps the slowest
-// mode of a layer of depth H critically and every other at the same rate. It ends when the unbalanced force
-// in the free directions, ||f|| over the norm of all nodal weights, is below the stated residual.
+// where soil weighs what it weighs under water, water that seeps pulls at it (water/seepage_force.hpp), and
+// its pore pressure stays that of the undisturbed water. It damps the slowest mode of a layer of depth H
+// critically and every other at the same rate. It ends when the unbalanced force in the free directions,
+// ||f|| over the norm of all nodal weights, is below the stated residual.
 //
 // Other static stages follow: loads on the surface, and construction, which places and removes soil and
 // structures (construction.hpp). What they bring goes from 0 to its size along half of a cosine,

@@ -9,6 +9,7 @@
 #include "mpm_domain/transfer/scatter.hpp"
 #include "mpm_domain/transfer/sharp_transfer.hpp"
 #include "mpm_domain/water/pore_pressure.hpp"
+#include "mpm_domain/water/seepage_force.hpp"
 #include "mpm_domain/water/water_scatter.hpp"
 
 #include <algorithm>
@@ -46,6 +47,8 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain) {
   scatter(domain, ScatterPart::motion);
   if (domain.is_sharp())
     find_fullness(domain);
+  if (domain.has_seepage())
+    scatter_seepage(domain, domain.soil_rows, domain.soil_ties);
   domain.contact.begin_rest(domain);
   for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
     std::fill(velocity->begin(), velocity->end(), 0.0);
@@ -106,6 +109,8 @@ void Relaxation::find_skin(double cells) {
 
 void Relaxation::find_soil_forces() {
   domain_.is_sharp() ? scatter_sharp_forces(domain_) : scatter(domain_, ScatterPart::force);
+  if (domain_.has_seepage())
+    add_seepage(domain_, domain_.soil_rows);
 }
 
 std::vector<Vector> Relaxation::forces() {

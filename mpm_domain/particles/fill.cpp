@@ -55,7 +55,6 @@ void fill_pores(Particles& set, const materials::PoreSpace& pores, const Spec& s
   set.weight_share = materials::buoyant_density(pores, fluid) / set.density;
   set.water = {.pores = pores,
                .fluid = fluid,
-               .level = spec.water->level,
                .unit_weight = fluid.density * spec.gravity,
                .grains_per_mass = (1.0 - pores.porosity) / set.density};
 }
@@ -114,7 +113,7 @@ std::vector<std::vector<Vector>> polygons_of(const std::vector<Owner>& owners,
 
 } // namespace
 
-std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
+std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, const mesh::Quadtree* tree) {
   const double size = particle_size(spec);
   const int columns = count_along(spec.box.x_max - spec.box.x_min, size);
   const int rows = count_along(spec.box.y_max - spec.box.y_min, size);
@@ -136,7 +135,7 @@ std::vector<Particles> fill(const Spec& spec, const mesh::Quadtree* tree) {
     if (region == spec.regions.rend())
       return;
     const std::size_t soil = soil_at(region->soil, region->cuts, y);
-    const bool under_water = spec.water && spec.soils[soil].pores && y < spec.water->level;
+    const bool under_water = head && spec.soils[soil].pores && head->is_wet(x, y);
     const auto kind = std::ranges::find_if(kinds, [&](const Kind& candidate) {
       return candidate.soil == soil && candidate.under_water == under_water;
     });
@@ -190,7 +189,10 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec,
     double overburden = 0.0;
     for (const Place& place : column) {
       Particles& set = *place.set;
-      const double weight = set.weight_share * set.mass[place.k] * spec.gravity / (2.0 * set.half_size);
+      const double rising =
+          set.traits.seeping ? set.water->unit_weight * set.volume[place.k] * set.head_slope_y[place.k] : 0.0;
+      const double weight =
+          (set.weight_share * set.mass[place.k] * spec.gravity + rising) / (2.0 * set.half_size);
       set.syy[place.k] -= (overburden + 0.5 * weight) / static_cast<double>(1 << (finest - set.level));
       overburden += weight;
     }

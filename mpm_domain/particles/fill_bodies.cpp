@@ -42,7 +42,6 @@ Particles under_water(Particles set, const Spec& spec) {
   set.weight_share = 1.0 - fluid.density / set.density;
   PoreWater water;
   water.fluid = fluid;
-  water.level = spec.water->level;
   water.unit_weight = fluid.density * spec.gravity;
   set.water = water;
   return set;
@@ -63,7 +62,7 @@ void keep_mass(std::array<Particles, 2>& parts, const Structure& structure) {
 
 } // namespace
 
-std::vector<Particles> fill_bodies(const Spec& spec, int finest) {
+std::vector<Particles> fill_bodies(const Spec& spec, const std::optional<Head>& head, int finest) {
   const double size = particle_size(spec, finest);
   std::vector<Particles> sets;
   std::size_t body = 0;
@@ -73,7 +72,7 @@ std::vector<Particles> fill_bodies(const Spec& spec, int finest) {
     std::array<Particles, 2> parts; // above the water table and below it
     parts.front() = empty_set(spec, structure, body++, finest);
     materials::validate(parts.front().law);
-    if (spec.water)
+    if (head)
       parts.back() = under_water(parts.front(), spec);
     Plots plots;
     const std::array outlines{structure.outline};
@@ -86,7 +85,7 @@ std::vector<Particles> fill_bodies(const Spec& spec, int finest) {
         const double x = spec.box.x_min + (i + 0.5) * size;
         const double y = spec.box.y_min + (j + 0.5) * size;
         const Plot plot = plot_of(outlines, holes, x, y, size);
-        Particles& set = spec.water && plot.y < spec.water->level ? parts.back() : parts.front();
+        Particles& set = head && head->is_wet(plot.x, plot.y) ? parts.back() : parts.front();
         plots.add(set, plot, size);
       }
     plots.join_slivers();

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "mpm_domain/head/head.hpp"
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/spec/spec.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -14,6 +16,6 @@ namespace tremolo::mpm_domain {
 /// that it displaces; in the order of Spec::structures.
 /// @param finest  level of the finest cells
 /// @throws std::invalid_argument for a structure that no particle lies in, or without a valid stiffness
-std::vector<Particles> fill_bodies(const Spec& spec, int finest);
+std::vector<Particles> fill_bodies(const Spec& spec, const std::optional<Head>& head, int finest);
 
 } // namespace tremolo::mpm_domain

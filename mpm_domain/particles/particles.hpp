@@ -6,7 +6,7 @@
 #include "mpm_domain/grid/grid.hpp"
 #include "mpm_domain/kernel/kernel.hpp"
 #include "mpm_domain/kernel/particle_boxes.hpp"
-#include "mpm_domain/particles/pore_water.hpp"
+#include "mpm_domain/particles/water/pore_water.hpp"
 #include "mpm_domain/spec/spec.hpp"
 #include "mpm_domain/tiles/tile_map.hpp"
 

@@ -19,8 +19,6 @@ void add_particle(Particles& set, const Plot& plot) {
   set.mass.back() = set.density * area;
   if (set.traits.own_boxes)
     set.box_xx.back() = set.box_yy.back() = set.half_size * set.half_size;
-  if (set.traits.wet)
-    set.pore_pressure.back() = set.pressure_at_rest.back() = set.water->hydrostatic(y);
 }
 
 std::size_t nearest(const Particles& set, const Plot& plot) {

@@ -35,6 +35,8 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   spec.scheme.subcycle = false;
   spec.box.x_max = spec.box.x_min + spec.cell_size;
   spec.box.y_max = source.surface;
+  if (spec.water)
+    spec.water = {.level = scene::water_level(scene, source), .fluid = spec.water->fluid};
   spec.soils.clear();
   spec.regions.clear();
   spec.structures.clear();

@@ -1,5 +1,6 @@
 #include "mpm_domain/process/followed_point.hpp"
 
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
 #include <algorithm>
@@ -12,12 +13,17 @@ WaterState water_state(const Particles& set, std::size_t k) {
   WaterState state;
   if (set.traits.wet) {
     state.pressure = set.water->pressure(set.pore_pressure[k]);
-    state.excess = set.water->excess(set.pore_pressure[k], set.y[k]);
+    state.excess = excess_pressure(set, k);
     state.ratio = set.vertical_at_rest[k] < 0.0 ? state.excess / -set.vertical_at_rest[k] : 0.0;
   }
   if (set.traits.flowing) {
     const double porosity = set.water->porosity(set.mass[k], set.volume[k]);
     state.flux = {porosity * (set.wx[k] - set.vx[k]), porosity * (set.wy[k] - set.vy[k])};
+    if (set.traits.seeping) { // the velocity of the water counts from its steady flow
+      const double k_darcy = set.water->pores.permeability;
+      state.flux = {state.flux.x - k_darcy * set.head_slope_x[k],
+                    state.flux.y - k_darcy * set.head_slope_y[k]};
+    }
   }
   return state;
 }

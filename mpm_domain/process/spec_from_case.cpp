@@ -31,6 +31,15 @@ std::vector<Vector> corners_of(const scene::Polygon& polygon) {
   return corners;
 }
 
+GroundWater water_of(const scene::GroundWater& water) {
+  GroundWater copy{.level = water.level, .fluid = water.fluid};
+  for (const scene::Point& corner : water.line)
+    copy.line.push_back({corner.x, corner.y});
+  if (water.seepage)
+    copy.seepage = {water.seepage->left, water.seepage->right};
+  return copy;
+}
+
 Structure structure_of(const scene::Structure& structure) {
   Structure copy{.name = structure.name,
                  .outline = corners_of(structure.outline.corners),
@@ -93,7 +102,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
     spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh),
                           scene::damping_time(scene.damping, soil.damping), soil.pores});
   if (scene.water)
-    spec.water = {scene.water->level, scene.water->fluid};
+    spec.water = water_of(*scene.water);
   spec.regions = regions_of(scene.regions);
   spec.structures = structures_of(scene.structures);
   spec.cut_at_edges = !scene.structures.empty() ||

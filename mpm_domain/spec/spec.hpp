@@ -28,10 +28,22 @@ struct Soil {
   std::optional<materials::PoreSpace> pores = {};
 };
 
-/// Ground water at rest.
+/// Levels of the water at both sides of a model: of the table in the ground there, or of free water over it,
+/// m.
+struct SideLevels {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// Ground water before it is disturbed (head/head.hpp). It has a level table, unless `line` or `seepage` say
+/// otherwise.
 struct GroundWater {
-  double level = 0.0; ///< y of the table, m
+  double level = 0.0; ///< y of a level table, m
   materials::PoreFluid fluid;
+  /// Corners of a phreatic line that is not level, from left to right: water rests below it.
+  std::vector<Vector> line = {};
+  /// Water flows steadily from one side to the other.
+  std::optional<SideLevels> seepage = {};
 };
 
 /// A polygon of one soil; where polygons overlap, the later one wins.

@@ -6,7 +6,7 @@
 //     sigma = sigma' + sigma_v - p_e I.
 
 #include "mpm_domain/kernel/lanes.hpp"
-#include "mpm_domain/particles/particles.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -25,10 +25,9 @@ inline bool has_more_than_law_stress(const Particles& p) {
 /// p_e of a group of wet particles from k on, Pa
 template <typename Group>
 [[gnu::always_inline]] inline Lanes excess_pressure(const Particles& p, std::size_t k, Group group) {
-  const PoreWater& water = *p.water;
   // In this order a pressure that is not a number stays one.
-  return larger(all(water.fluid.cavitation_pressure), group.load(&p.pore_pressure[k])) -
-         water.hydrostatic(group.load(&p.y[k]));
+  return larger(all(p.water->fluid.cavitation_pressure), group.load(&p.pore_pressure[k])) -
+         rest_pressure(p, k, group);
 }
 
 /// The stress of a group of particles from k on.

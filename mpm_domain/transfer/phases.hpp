@@ -3,7 +3,7 @@
 // What particles carry to the grid: grains, and water that flows between them. The sums of both stand in the
 // order mass, momentum, force in NodeFields.
 
-#include "mpm_domain/particles/pore_volume.hpp"
+#include "mpm_domain/particles/water/pore_volume.hpp"
 #include "mpm_domain/strain/total_stress.hpp"
 #include "mpm_domain/transfer/chunk_weights.hpp"
 
@@ -96,7 +96,7 @@ struct SoilPhase {
 };
 
 /// Water that flows. Its force is that of the excess pressure per unit of water volume; it has no weight,
-/// since the pressure is that beyond the hydrostatic one.
+/// since the pressure is that beyond the one of undisturbed water.
 struct WaterPhase {
   static constexpr Sum first_sum = Sum::water_mass;
   static constexpr Pull pull = Pull::pressure;
@@ -140,7 +140,7 @@ struct WaterPhase {
   template <bool affine>
   static ParticleValues of(const Particles& p, std::size_t k) {
     const PoreWater& water = *p.water;
-    const double excess = water.excess(p.pore_pressure[k], p.y[k]);
+    const double excess = excess_pressure(p, k);
     ParticleValues v{water.fluid.density * (p.volume[k] - water.grains_per_mass * p.mass[k]),
                      p.wx[k],
                      p.wy[k],

@@ -155,14 +155,27 @@ ExactSums<1> remap_flux(Ground& ground, std::span<const NodeRange> rows) {
 
 namespace {
 
-/// Sum of lift (factor_a a + factor_b b), W/m
-ExactSums<1> power_of_lift(Ground& ground, std::span<const NodeRange> rows, double factor_a,
-                           const NodeField& a, double factor_b, const NodeField& b) {
+/// Factors of velocities that a power is taken on.
+struct OfVelocity {
+  double factor;
+  const NodeField &x, &y;
+};
+
+/// Sum of (lift e_y + seepage force) . (a + b), W/m
+ExactSums<1> power_of_lift(Ground& ground, std::span<const NodeRange> rows, const OfVelocity& a,
+                           const OfVelocity& b) {
   const Grid& grid = ground.grid;
+  const bool seeps = ground.has_seepage();
   return sum_over_rows<1>(ground, rows, [&](const NodeRange& nodes) {
     Lanes power{};
     by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
-      power += group.load(&grid.lift[n]) * (factor_a * group.load(&a[n]) + factor_b * group.load(&b[n]));
+      const auto of = [&](const NodeField& va, const NodeField& vb) {
+        return a.factor * group.load(&va[n]) + b.factor * group.load(&vb[n]);
+      };
+      power += group.load(&grid.lift[n]) * of(a.y, b.y);
+      if (seeps)
+        power +=
+            group.load(&grid.seepage_x[n]) * of(a.x, b.x) + group.load(&grid.seepage_y[n]) * of(a.y, b.y);
     });
     return std::array{sum(power)};
   });
@@ -171,11 +184,15 @@ ExactSums<1> power_of_lift(Ground& ground, std::span<const NodeRange> rows, doub
 } // namespace
 
 ExactSums<1> lift_power(Ground& ground, std::span<const NodeRange> rows) {
-  return power_of_lift(ground, rows, 0.5, ground.grid.vy_before, 0.5, ground.grid.vy_after);
+  const Grid& grid = ground.grid;
+  return power_of_lift(ground, rows, {0.5, grid.vx_before, grid.vy_before},
+                       {0.5, grid.vx_after, grid.vy_after});
 }
 
 ExactSums<1> lift_remap_power(Ground& ground, std::span<const NodeRange> rows) {
-  return power_of_lift(ground, rows, 1.0, ground.grid.vy_after, -1.0, ground.grid.vy_strain);
+  const Grid& grid = ground.grid;
+  return power_of_lift(ground, rows, {1.0, grid.vx_after, grid.vy_after},
+                       {-1.0, grid.vx_strain, grid.vy_strain});
 }
 
 } // namespace tremolo::mpm_domain

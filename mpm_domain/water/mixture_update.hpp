@@ -45,8 +45,8 @@ void find_flux(Ground& ground, std::span<const NodeRange> nodes);
 /// flux, W/m
 ExactSums<1> remap_flux(Ground& ground, std::span<const NodeRange> nodes);
 
-/// Power of the weight that water takes off on the mean of the velocity before and after the update, W/m. The
-/// update has booked the whole weight of what moves with the grains.
+/// Power of the weight that water takes off, and of the seepage force, on the mean of the velocity before and
+/// after the update, W/m. The update has booked the whole weight of what moves with the grains.
 ExactSums<1> lift_power(Ground& ground, std::span<const NodeRange> nodes);
 
 /// Likewise on the difference between the velocity after the update and the remapped one, W/m.

@@ -3,6 +3,7 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/water/mixture_update.hpp"
 #include "mpm_domain/water/pore_pressure.hpp"
+#include "mpm_domain/water/seepage_force.hpp"
 #include "mpm_domain/water/water_gather.hpp"
 #include "mpm_domain/water/water_scatter.hpp"
 
@@ -59,7 +60,7 @@ void find_pressures_of_grains(Ground& ground, Step& step) {
     find_pressures(ground, step, grid.vx_after, grid.vy_after);
 }
 
-/// The update and the remap have booked all of the weight.
+/// The update and the remap have booked all of the weight, and nothing of the seepage force.
 void book_lift(Ground& ground, Step& step) {
   step.bookings.add(lift_power(ground, step.nodes.of(0)),
                     [&energy = step.energy, kick = step.kicks.front()](const auto& power) {
@@ -67,6 +68,11 @@ void book_lift(Ground& ground, Step& step) {
                     });
   if (ground.is_remapped())
     step.book_transfer(-0.5 * step.kicks.front(), lift_remap_power(ground, step.nodes.of(0)));
+}
+
+void pull_by_seepage(Ground& ground, Step& step) {
+  scatter_seepage(ground, step.nodes.of(0), step.nodes.ties_of(0));
+  add_seepage(ground, step.nodes.of(0));
 }
 
 /// Water leaves the grid before the particles move.
@@ -79,9 +85,13 @@ void gather_all_water(Ground& ground, Step& step) {
 
 std::vector<Pass> wet_transfer_passes(Ground& ground) {
   std::vector<Pass> passes;
+  if (ground.has_seepage())
+    passes.push_back({Phase::scatter, "head at particles", [&](Step&) { follow_head(ground); }});
   if (ground.has_water())
     passes.push_back({Phase::scatter, "particles to grid",
                       [&](Step& step) { scatter_mixture(ground, step.nodes.of(0), step.nodes.ties_of(0)); }});
+  if (ground.has_seepage())
+    passes.push_back({Phase::scatter, "seepage force", [&](Step& step) { pull_by_seepage(ground, step); }});
   if (ground.has_flow() && ground.is_remapped())
     passes.push_back({Phase::gather, "grid to particles and back",
                       [&](Step& step) { exchange_velocities(ground, step); }});

@@ -1,7 +1,8 @@
 #include "mpm_domain/water/pore_pressure.hpp"
 
 #include "mpm_domain/grid/tied_nodes.hpp"
-#include "mpm_domain/particles/pore_volume.hpp"
+#include "mpm_domain/particles/water/pore_volume.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/tiles/cell_means.hpp"
 #include "mpm_domain/transfer/add_sums.hpp"
 #include "mpm_domain/transfer/for_samples.hpp"
@@ -168,22 +169,20 @@ void average_again(Ground& ground) {
       [&](std::size_t s, const AcrossTile& tile) { for_numbers(tile, mean, keep(s)); },
       [&](std::size_t s, std::size_t k) {
         const Particles& p = ground.sets[s];
-        const PoreWater& water = *p.water;
-        const double excess = p.pore_pressure[k] - water.hydrostatic(p.y[k]);
+        const double excess = p.pore_pressure[k] - rest_pressure(p, k);
         return pore_volume(p, k) *
-               (excess + water.fluid.bulk_modulus * ground.waiting_pressures[s].change[k]);
+               (excess + p.water->fluid.bulk_modulus * ground.waiting_pressures[s].change[k]);
       });
 }
 
 /// Gives a range the pressures of its cells; returns the work by the trapezoidal rule.
 double take_pressures(Ground& ground, Particles& p, std::size_t begin, std::size_t end) {
   const WaitingPressures& waiting = waiting_of(ground, p);
-  const PoreWater& water = *p.water;
-  const Lanes least = all(water.fluid.cavitation_pressure);
+  const Lanes least = all(p.water->fluid.cavitation_pressure);
   Lanes work{};
   by_fours(begin, end, [&](std::size_t k, auto group) {
     const Lanes before = group.load(&p.pore_pressure[k]);
-    const Lanes at_rest = water.hydrostatic(group.load(&p.y[k]));
+    const Lanes at_rest = rest_pressure(p, k, group);
     const Lanes after = at_rest + means_of_cells(ground.grid, waiting, k, group);
     group.store(&p.pore_pressure[k], after);
     work += (0.5 * (larger(before, least) + larger(after, least)) - at_rest) *

@@ -23,7 +23,7 @@
 // pressures would come to differ within cells by what neighbours differ by, more with every cycle: nodes feel
 // only the mean of it, and nothing would even it out. So the last C also takes the mean of the excess p_e,
 //
-//     p = p_h + C (p_e + K_f A C e).
+//     p = p_0 + C (p_e + K_f A C e).
 //
 // Where particles stay in their cells it changes nothing. It keeps sum W p_e, and the energy sum W p_e^2/2
 // K_f can only fall. What a cell gives another by it is the compression of the water alone, p_e/K_f: balance

@@ -25,15 +25,18 @@ bool is_sealed(const Ground& ground, const Particles& p) {
 }
 
 template <typename Group>
-Lanes seal(const Particles& p, const Spec& spec, std::size_t k, Group group) {
-  const Lanes resistance = sealed * group.load(&p.volume[k]);
-  return p.traits.wet ? resistance
-                      : choose(group.load(&p.y_initial[k]) < spec.water->level, resistance, Lanes{});
+Lanes seal(const Particles& p, const Head& head, std::size_t k, Group group) {
+  Lanes resistance = sealed * group.load(&p.volume[k]);
+  if (!p.traits.wet)
+    for (std::size_t lane = 0; lane < group.count; ++lane)
+      if (!head.is_wet(p.x_initial[k + lane], p.y_initial[k + lane]))
+        resistance[lane] = 0.0;
+  return resistance;
 }
 
 RowRange seal_tile(const Ground& ground, const Particles& p, std::size_t tile, double* window) {
   return scatter_scalars<1>(ground, p, 0, tile, window, Sum::resistance, [&](std::size_t k, auto group) {
-    return std::array{seal(p, ground.spec, k, group)};
+    return std::array{seal(p, *ground.head, k, group)};
   });
 }
 
@@ -43,7 +46,7 @@ void seal_across(const Ground& ground, AcrossTile& tile, SumRange fields) {
   const bool seals = fields.end > static_cast<std::size_t>(Sum::resistance) && is_sealed(ground, p);
   add_across_tile(tile, fields, [&](std::size_t k, const FourWeights& w, const auto& add) {
     if (seals)
-      add(static_cast<std::size_t>(Sum::resistance), seal(p, ground.spec, k, FewerThanFour(1))[0] * w.s);
+      add(static_cast<std::size_t>(Sum::resistance), seal(p, *ground.head, k, FewerThanFour(1))[0] * w.s);
   });
 }
 

@@ -93,6 +93,8 @@ std::string type_text(const Key& key) {
     return "number or array of numbers";
   case Type::polygon:
     return "array of at least 3 points [[x, y], ...]";
+  case Type::line:
+    return "array of at least 2 points [[x, y], ...]";
   }
   return {};
 }

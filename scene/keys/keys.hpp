@@ -24,6 +24,7 @@ enum class Type {
   numbers_or_false, ///< the same, or false, which has none
   series,           ///< a number, or an array of at least one
   polygon,          ///< an array of at least three points [x, y]
+  line,             ///< an array of at least two of them
 };
 
 /// Allowed values of a number.

@@ -168,6 +168,8 @@ ordered_json value_schema(const Key& key) {
     return {{"anyOf", {number_schema(key), array_schema(number_schema(key), 1)}}};
   case Type::polygon:
     return array_schema(array_schema({{"type", "number"}}, 2, 2), 3);
+  case Type::line:
+    return array_schema(array_schema({{"type", "number"}}, 2, 2), 2);
   }
   return {};
 }

@@ -70,7 +70,11 @@ std::string layers_text(const std::vector<Layer>& layers) {
 std::string ground_text(const Case& scene, const SourceProcess& source) {
   if (source.field.model == SourceModel::shaking_table)
     return {};
-  return fmt::format(", surface at y = {} m, {}", source.surface, layers_text(layers(scene, source)));
+  const std::string water = scene.water && !scene.water->is_level() && traits(source.field.model).computed
+                                ? fmt::format(", water table at y = {} m", water_level(scene, source))
+                                : "";
+  return fmt::format(", surface at y = {} m, {}{}", source.surface, layers_text(layers(scene, source)),
+                     water);
 }
 
 /// "0.5 m", or "1 to 0.25 m"

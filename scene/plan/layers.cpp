@@ -16,6 +16,12 @@ const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source)
   return *source.profile == Side::left ? scene.boundary.left.own_profile : scene.boundary.right.own_profile;
 }
 
+double water_level(const Case& scene, const SourceProcess& source) {
+  if (!source.profile)
+    return scene.water->level;
+  return *source.profile == Side::left ? scene.boundary.left.water_level : scene.boundary.right.water_level;
+}
+
 bool damped(const std::vector<Layer>& layers) {
   return std::ranges::any_of(layers, [](const Layer& layer) { return layer.damping > 0.0; });
 }

@@ -13,6 +13,9 @@ const std::vector<Layer>& layers(const Case& scene, const LateralBoundary& side)
 /// The layers of a source.
 const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source);
 
+/// y of the water table below a source's surface, m; only with [water].
+double water_level(const Case& scene, const SourceProcess& source);
+
 /// Whether any of them has viscous damping.
 bool damped(const std::vector<Layer>& layers);
 

@@ -31,6 +31,7 @@ constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double damping_cost_ns = 10.0;
 constexpr double pressure_cost_ns = 90.0;
 constexpr double flow_cost_ns = 150.0;
+constexpr double seepage_cost_ns = 25.0;
 constexpr double pressure_bytes = 24.0;    // while pressures are found
 constexpr double mobility_cost_ns = 400.0; // PM4Sand or PDMY03 at small strain increments
 
@@ -104,8 +105,10 @@ std::string pressure_text(const Case& scene, const std::string& flowing, const s
     return "no [water]";
   if (flowing.empty() && undrained.empty())
     return "no soil of the domain below the water table but drained";
-  return fmt::format("{}{}{} below the table at y = {} m", flowing,
-                     flowing.empty() || undrained.empty() ? "" : ", ", undrained, scene.water->level);
+  const std::string_view both = flowing.empty() || undrained.empty() ? "" : ", ";
+  if (!scene.water->is_level())
+    return fmt::format("{}{}{} below water: {}", flowing, both, undrained, table_text(*scene.water));
+  return fmt::format("{}{}{} below the table at y = {} m", flowing, both, undrained, scene.water->level);
 }
 
 std::string listed(const std::vector<SourceProcess>& sources) {
@@ -169,6 +172,8 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const double wet_bytes = particle_bytes({.wet = true}) - bare_bytes + pressure_bytes;
   const double flow_bytes = particle_bytes({.affine = apic, .wet = true, .flowing = true}) -
                             particle_bytes({.affine = apic, .wet = true});
+  const bool seeps = scene.water && !scene.water->is_level();
+  const double head_bytes = particle_bytes({.seeping = true}) - bare_bytes;
   return {
       {"soil skeleton", true, "always: GIMP particles, plane strain", bare_bytes, base_cost_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
@@ -219,6 +224,9 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"flow of pore water", flows,
        flows ? flowing_soils + ": water has a velocity of its own" : "no soil of the domain lets water flow",
        flows ? flow_bytes : 0.0, flows ? flow_cost_ns : 0.0},
+      {"seepage force", seeps,
+       seeps ? table_text(*scene.water) : "no [water] line or seepage: one head everywhere",
+       seeps ? head_bytes : 0.0, seeps ? seepage_cost_ns : 0.0},
       {"contact", !structures.empty(), contact_text(structures)},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
@@ -254,7 +262,8 @@ double node_bytes(const Case& scene) {
   return static_cast<double>(
       mpm_domain::bytes_per_node({.wet = scene.water.has_value(),
                                   .flowing = flows,
-                                  .sharp = scene.mesh.dispersion == Dispersion::reduced}));
+                                  .sharp = scene.mesh.dispersion == Dispersion::reduced,
+                                  .seeping = scene.water && !scene.water->is_level()}));
 }
 
 Plan plan(const Case& scene) {

@@ -2,6 +2,7 @@
 
 #include "mesh/polygon_measures.hpp"
 #include "mpm_domain/spec/structure.hpp"
+#include "scene/soils/water_table.hpp"
 #include "scene/sweep.hpp"
 #include "scene/thickness.hpp"
 
@@ -127,15 +128,16 @@ std::vector<PlannedStructure> plan_structures(const Case& scene) {
     PlannedStructure& planned = all.emplace_back();
     planned = {.name = structure.name, .area = solid, .mass = structure.density * solid};
     planned.weight = planned.mass * scene.gravity->acceleration;
+    const Box around = box_of(outline);
+    const double middle = 0.5 * (around.x_min + around.x_max);
     if (scene.water)
-      planned.buoyancy = mesh::measures(mesh::part_below(outline, scene.water->level)).area *
+      planned.buoyancy = mesh::measures(mesh::part_below(outline, table_at(scene, middle))).area *
                          scene.water->fluid.density * scene.gravity->acceleration;
     planned.contact_nodes = static_cast<double>(contact_nodes(scene, i));
-    const Box box = box_of(outline);
     const double h = contact_cell_size(scene);
-    const double height = std::min(box.y_max, scene.mesh.box.y_max) - box.y_min;
+    const double height = std::min(around.y_max, scene.mesh.box.y_max) - around.y_min;
     planned.bytes = bytes_of_contact_node * planned.contact_nodes +
-                    bytes_of_window_node * (box.width() / h + window_margin) *
+                    bytes_of_window_node * (around.width() / h + window_margin) *
                         (std::max(0.0, height) / h + window_margin);
   }
   return all;

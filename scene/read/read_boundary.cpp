@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace tremolo::scene {
 
 namespace {
@@ -37,6 +39,16 @@ SpringKeys read_springs(const TableReader& table) {
   return keys;
 }
 
+/// The side that a table describes, as far as the ground goes.
+LateralBoundary ground_of_side(const char* name, double surface, const Case& scene) {
+  LateralBoundary side;
+  side.surface = surface;
+  if (scene.water)
+    side.water_level =
+        scene.water->beside(std::string_view(name) == "boundary.right" ? Side::right : Side::left);
+  return side;
+}
+
 LateralBoundary read_side(Document& document, const char* name, Findings& findings, const Case& scene) {
   if (!document.has(name))
     findings.add(name,
@@ -45,12 +57,17 @@ LateralBoundary read_side(Document& document, const char* name, Findings& findin
                              name));
   const auto table = document.table(name);
   const double surface = table.optional_number("surface").value_or(scene.surface_level);
+  LateralBoundary side = ground_of_side(name, surface, scene);
   auto own = read_layers(document, fmt::format("{}.profile", name).c_str(), findings, scene);
-  // The water table cuts the layers of [[profile]] elsewhere under another surface.
-  if (scene.water && own.empty() && surface != scene.surface_level)
+  // The water table cuts the layers of [[profile]] elsewhere under another surface, and another table does.
+  if (scene.water && own.empty() &&
+      (surface != scene.surface_level || side.water_level != scene.water->level))
     own = scene.profile;
-  return {read_model(table, scene), surface, watered(own, surface, scene), read_absorber(table),
-          read_springs(table)};
+  side.field = read_model(table, scene);
+  side.own_profile = watered(own, side, scene);
+  side.absorber = read_absorber(table);
+  side.springs = read_springs(table);
+  return side;
 }
 
 /// Where the model repeats itself, or ends at a wall, there is no free field, only the level of its surface.
@@ -63,9 +80,7 @@ LateralBoundary read_side_without_field(Document& document, const char* name, Fi
                              "or choose sides = \"free_field\"",
                              name, scene::name(scene.boundary.sides)));
   }
-  LateralBoundary side;
-  side.surface = scene.surface_level;
-  return side;
+  return ground_of_side(name, scene.surface_level, scene);
 }
 
 /// Between equal grounds a blend of both total fields is the one total field.

@@ -132,11 +132,11 @@ void read_free_field(Document& document, Findings& findings, Case& scene) {
   read_motion(document, findings, scene);
   read_ends_of_ground(document, findings, scene);
   read_damping(document, scene);
-  read_water(document, scene);
+  read_water(document, findings, scene);
   if (document.has("soil"))
     read_soils(document, findings, scene);
   scene.profile = read_layers(document, "profile", findings, scene);
-  scene.profile = watered(scene.profile, scene.surface_level, scene);
+  scene.profile = watered_profile(scene);
   read_numerics(document, scene);
   if (scene.boundary.has_shaking_table())
     refuse_ground_below_table(document, findings);

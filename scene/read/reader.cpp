@@ -235,7 +235,9 @@ std::optional<TableReader::Value> TableReader::convert(const Key& key, const tom
   case Type::series:
     return convert_series(key, node);
   case Type::polygon:
-    return convert_polygon(key, node);
+    return convert_points(key, node, 3);
+  case Type::line:
+    return convert_points(key, node, 2);
   case Type::texts:
     return convert_texts(key, node);
   case Type::choices:
@@ -353,9 +355,10 @@ std::optional<TableReader::Value> TableReader::convert_elements(const Key& key, 
   return values;
 }
 
-std::optional<TableReader::Value> TableReader::convert_polygon(const Key& key, const toml::node& node) {
+std::optional<TableReader::Value> TableReader::convert_points(const Key& key, const toml::node& node,
+                                                              std::size_t least) {
   const toml::array* corners = node.as_array();
-  if (corners == nullptr || corners->size() < 3)
+  if (corners == nullptr || corners->size() < least)
     return refuse(
         key, node,
         fmt::format("'{}' must be an {}, found {}", key.name, type_text(key),

@@ -75,6 +75,7 @@ public:
   /// Of Type::numbers or Type::series.
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;
+  /// The corners of a key of Type::polygon or Type::line.
   Polygon polygon(std::string_view key) const;
   /// The texts of a key of Type::texts or Type::choices.
   std::vector<std::string> texts(std::string_view key) const;
@@ -106,7 +107,7 @@ private:
   std::optional<Value> convert_numbers(const Key& key, const toml::node& node);
   std::optional<Value> convert_elements(const Key& key, const toml::array& array);
   std::optional<Value> convert_series(const Key& key, const toml::node& node);
-  std::optional<Value> convert_polygon(const Key& key, const toml::node& node);
+  std::optional<Value> convert_points(const Key& key, const toml::node& node, std::size_t least);
   std::optional<Value> convert_texts(const Key& key, const toml::node& node);
   std::optional<Value> convert_choices(const Key& key, const toml::node& node);
   std::nullopt_t refuse(const Key& key, const toml::node& node, std::string text);

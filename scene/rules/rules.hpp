@@ -77,6 +77,12 @@ void dispersion_suits_case(const Case& scene, Findings& findings);
 void wet_soil_has_pores(const Case& scene, Findings& findings);
 /// Pore pressure begins with the hydrostatic one: a gravity stage.
 void water_has_weight(const Case& scene, Findings& findings);
+/// A phreatic line goes from left to right over the whole model, above its base.
+void phreatic_line_spans_model(const Case& scene, Findings& findings);
+/// The sides can have the levels of the water that they are given.
+void water_suits_sides(const Case& scene, Findings& findings);
+/// Water that seeps has levels above the base, ground between them, and a permeability everywhere.
+void seepage_can_be_found(const Case& scene, Findings& findings);
 /// Sand that reconsolidates in a rest does not do so before.
 void resting_sand_is_shaken_first(const Case& scene, Findings& findings);
 /// A rest's time factor does not make inertia count in what consolidates.

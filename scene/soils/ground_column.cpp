@@ -1,6 +1,7 @@
 #include "scene/soils/ground_column.hpp"
 
 #include "scene/plan/layers.hpp"
+#include "scene/soils/water_table.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +10,8 @@
 namespace tremolo::scene {
 
 namespace {
+
+constexpr double dry = -std::numeric_limits<double>::infinity(); ///< level of a table without water, m
 
 /// What carries stress in the ground above and below the water table, kg/m3.
 std::pair<double, double> densities_of(const GroundPiece& piece, const Case& scene) {
@@ -34,32 +37,36 @@ std::vector<double> crossings(const Polygon& polygon, double x) {
   return levels;
 }
 
-GroundColumn ground_of_layers(const Case& scene, double surface, const std::vector<Layer>& layers,
-                              double down_to) {
+GroundColumn ground_of_layers(const Case& scene, double surface, double table,
+                              const std::vector<Layer>& layers, double down_to) {
   GroundColumn ground;
+  if (!scene.water)
+    table = dry;
   for (const Layer& layer : layers) {
     ground.push_back({surface, surface - layer.thickness, layer.soil,
-                      layer.soil ? materials::elasticity(scene.soils[*layer.soil].law) : layer.elastic});
+                      layer.soil ? materials::elasticity(scene.soils[*layer.soil].law) : layer.elastic,
+                      table});
     surface -= layer.thickness;
   }
   if (down_to < surface)
-    ground.push_back({surface, down_to, std::nullopt, scene.halfspace});
+    ground.push_back({surface, down_to, std::nullopt, scene.halfspace, table});
   return ground;
 }
 
 GroundColumn ground_of_free_field(const Case& scene, const LateralBoundary& side) {
-  return ground_of_layers(scene, side.surface, layers(scene, side), scene.mesh.box.y_min);
+  return ground_of_layers(scene, side.surface, side.water_level, layers(scene, side), scene.mesh.box.y_min);
 }
 
 GroundColumn ground_of_domain(const Case& scene, double x) {
   GroundColumn ground;
+  const double table = scene.water ? table_at(scene, x) : dry;
   for (const Region& region : scene.regions) {
     const std::vector<double> levels = crossings(region.polygon, x);
     for (std::size_t i = 0; i + 1 < levels.size(); i += 2) {
       double top = levels[i];
       const auto add = [&](double bottom) {
         const std::size_t soil = region.soil_at(0.5 * (top + bottom));
-        ground.push_back({top, bottom, soil, materials::elasticity(scene.soils[soil].law)});
+        ground.push_back({top, bottom, soil, materials::elasticity(scene.soils[soil].law), table});
         top = bottom;
       };
       for (const double cut : region.cuts)
@@ -73,13 +80,12 @@ GroundColumn ground_of_domain(const Case& scene, double x) {
 }
 
 double vertical_stress(const Case& scene, const GroundColumn& ground, double y) {
-  const double table = scene.water ? scene.water->level : -std::numeric_limits<double>::infinity();
   double mass = 0.0; // per area, kg/m2
   for (const GroundPiece& piece : ground) {
     if (piece.top <= y)
       break;
     const double bottom = std::max(piece.bottom, y);
-    const double split = std::clamp(table, bottom, piece.top);
+    const double split = std::clamp(piece.table, bottom, piece.top);
     const auto [above, below] = densities_of(piece, scene);
     mass += above * (piece.top - split) + below * (split - bottom);
   }

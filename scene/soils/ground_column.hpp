@@ -11,6 +11,7 @@
 #include "scene/case.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct GroundPiece {
   double bottom = 0.0;             ///< y, m
   std::optional<std::size_t> soil; ///< index into Case::soils; without one linear elastic
   materials::Elasticity elastic;   ///< of the soil's law, or as the layer gives it
+  double table = -std::numeric_limits<double>::infinity(); ///< y of the water table there, m
 };
 
 /// From the top down.
@@ -31,8 +33,9 @@ using GroundColumn = std::vector<GroundPiece>;
 std::vector<double> crossings(const Polygon& polygon, double x);
 
 /// The layers under a surface, and the half-space down to a level (m) below them.
-GroundColumn ground_of_layers(const Case& scene, double surface, const std::vector<Layer>& layers,
-                              double down_to);
+/// @param table  y of the water table, m; without [water] it counts for nothing
+GroundColumn ground_of_layers(const Case& scene, double surface, double table,
+                              const std::vector<Layer>& layers, double down_to);
 
 /// The ground of a side's free field, down to the base of the model at least.
 GroundColumn ground_of_free_field(const Case& scene, const LateralBoundary& side);
@@ -40,8 +43,8 @@ GroundColumn ground_of_free_field(const Case& scene, const LateralBoundary& side
 /// The soils of the regions along the vertical line at x (m).
 GroundColumn ground_of_domain(const Case& scene, double x);
 
-/// sigma'_v at a level (m) of a column, Pa, positive in compression. Gravity is that of the case, 9.81 m/s2
-/// where it has none.
+/// sigma'_v at a level (m) of a column, Pa, positive in compression, with water at rest. Gravity is that of
+/// the case, 9.81 m/s2 where it has none.
 double vertical_stress(const Case& scene, const GroundColumn& ground, double y);
 
 } // namespace tremolo::scene

@@ -41,4 +41,12 @@ inline void add_water(mpm_domain::Spec& spec, materials::Drainage drainage) {
       .porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3, .drainage = drainage};
 }
 
+/// Water below a line that falls from a quarter of the depth to three quarters.
+inline void add_sloping_water(mpm_domain::Spec& spec, materials::Drainage drainage) {
+  add_water(spec, drainage);
+  const double depth = spec.box.y_max - spec.box.y_min;
+  spec.water->line = {{spec.box.x_min, spec.box.y_max - 0.25 * depth},
+                      {spec.box.x_max, spec.box.y_max - 0.75 * depth}};
+}
+
 } // namespace tremolo::test_support

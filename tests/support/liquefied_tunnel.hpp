@@ -83,7 +83,8 @@ inline TunnelForces tunnel_forces(mpm_domain::Spec spec, double offset) {
   const std::vector<ContactPoint> points = first_contact(domain, dt);
   const RigidBody& body = domain.contact.bodies().front();
   TunnelForces forces;
-  const WaterAtRest water{0.0, heavy_fluid::water * heavy_fluid::gravity};
+  const Head head(0.0);
+  const WaterAround water{head, heavy_fluid::water * heavy_fluid::gravity};
   forces.at_rest = body.load(heavy_fluid::gravity, water).force.y + TunnelForces::weight;
   for (const ContactPoint& p : points) {
     forces.lift += p.normal_impulse / dt * p.normal.y;

@@ -5,6 +5,7 @@
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/quiet_ground.hpp"
 
@@ -110,7 +111,7 @@ inline void leave_effective_stress(mpm_domain::Domain& domain, double share) {
       const double buoyant_weight = p.weight_share * p.density * domain.spec.gravity;
       for (double* stress : {&p.sxx[k], &p.syy[k], &p.szz[k], &p.sxy[k]})
         *stress *= share;
-      p.pore_pressure[k] = p.water->hydrostatic(p.y[k]) - (1.0 - share) * buoyant_weight * p.y[k];
+      p.pore_pressure[k] = rest_pressure(p, k) - (1.0 - share) * buoyant_weight * p.y[k];
     }
 }
 

@@ -184,11 +184,16 @@ def _sliding_masses(ax, labels, run):
 
 def _water_table(ax, labels, run, low, high):
     """A line from side to side, with the triangle of drawings on it."""
-    level = run.attribute("water_table")
-    if level is None:
+    level, line = run.attribute("water_table"), run.attribute("phreatic_line")
+    if level is not None:
+        line, name = [low[0], level, high[0], level], f"water table, y = {level:.4g} m"
+    elif line is not None:
+        name = "phreatic surface"
+    else:
         return
-    labels.keep_free_along([(low[0], level), (high[0], level)])
-    ax.plot([low[0], high[0]], [level, level], color=style.COLOURS[0], linewidth=0.9, linestyle=(0, (6, 2)))
-    mark, middle = (low[0] + share * (high[0] - low[0]) for share in (0.06, 0.22))
-    labels.keep_free(ax.text(mark, level, "$\\nabla$", ha="center", va="bottom", fontsize=8, color=style.COLOURS[0]))
-    labels.add(f"water table, y = {level:.4g} m", (middle, level), color=style.COLOURS[0])
+    x, y = np.reshape(line, (-1, 2)).T
+    labels.keep_free_along(np.column_stack([x, y]))
+    ax.plot(x, y, color=style.COLOURS[0], linewidth=0.9, linestyle=(0, (6, 2)))
+    mark, middle = ((at, np.interp(at, x, y)) for at in (low[0] + share * (high[0] - low[0]) for share in (0.06, 0.22)))
+    labels.keep_free(ax.text(*mark, "$\\nabla$", ha="center", va="bottom", fontsize=8, color=style.COLOURS[0]))
+    labels.add(name, middle, color=style.COLOURS[0])

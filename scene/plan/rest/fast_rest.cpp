@@ -19,12 +19,12 @@ struct Extent {
 /// Ground below the table, from the lowest to the highest point of what `counts`, in regions and layers.
 template <typename Counts>
 Extent extent_below_table(const Case& scene, const Counts& counts) {
-  Extent extent{scene.water->level, -std::numeric_limits<double>::infinity()};
+  Extent extent{scene.water->highest(), -std::numeric_limits<double>::infinity()};
   const auto add = [&](double bottom, double top) {
-    if (bottom >= scene.water->level)
+    if (bottom >= scene.water->highest())
       return;
     extent.bottom = std::min(extent.bottom, bottom);
-    extent.top = std::max(extent.top, std::min(top, scene.water->level));
+    extent.top = std::max(extent.top, std::min(top, scene.water->highest()));
   };
   for (const Region& region : scene.regions)
     if (counts(scene.soils[region.soil])) {

@@ -29,6 +29,34 @@ void refuse_dry(const TableReader& table, Findings& findings) {
                                key, key));
 }
 
+/// A line that is level is a table, and between equal levels nothing flows.
+void rest_if_level(GroundWater& water) {
+  if (std::ranges::all_of(water.line, [&](const Point& corner) { return corner.y == water.level; }))
+    water.line.clear();
+  if (water.seepage && water.seepage->left == water.seepage->right)
+    water.seepage.reset();
+}
+
+/// A case says once where its water is.
+void refuse_two_tables(const TableReader& table, Findings& findings) {
+  const bool seeps = table.boolean("seepage");
+  if (seeps) {
+    for (const char* key : {"level", "line"})
+      if (table.given(key))
+        findings.add(
+            table.path(key),
+            fmt::format("'{}' is of water at rest, and with seepage = true it flows between 'left' and "
+                        "'right': remove '{}', or seepage",
+                        key, key));
+  } else if (table.given("level") && table.given("line")) {
+    findings.add(table.path("line"), "'line' and 'level' exclude each other: remove one");
+  } else if (!table.given("level") && !table.given("line")) {
+    findings.add(table.path(),
+                 "missing 'level', y of the water table in m; or 'line', or seepage = true with "
+                 "'left' and 'right'");
+  }
+}
+
 /// Porosity as the soil gives it, otherwise as its law has it; nothing where neither does.
 std::optional<double> porosity(const TableReader& table, const GroundWater& water, double grains) {
   if (const auto n = table.optional_number("porosity"))
@@ -62,14 +90,24 @@ void settle_density(TableReader& table, const materials::PoreSpace& pores, const
 
 } // namespace
 
-void read_water(Document& document, Case& scene) {
+void read_water(Document& document, Findings& findings, Case& scene) {
   if (!document.has("water"))
     return;
   const auto table = document.table("water");
-  scene.water = {table.number("level"),
-                 {.density = table.number("density"),
-                  .bulk_modulus = table.number("bulk_modulus"),
-                  .cavitation_pressure = table.number("cavitation_pressure")}};
+  GroundWater& water = scene.water.emplace();
+  water.fluid = {.density = table.number("density"),
+                 .bulk_modulus = table.number("bulk_modulus"),
+                 .cavitation_pressure = table.number("cavitation_pressure")};
+  if (table.boolean("seepage"))
+    water.seepage = {table.number("left"), table.number("right")};
+  else if (table.given("line"))
+    water.line = table.polygon("line");
+  else
+    water.level = table.number("level");
+  if (!water.is_level())
+    water.level = water.beside(Side::left);
+  rest_if_level(water);
+  refuse_two_tables(table, findings);
 }
 
 std::optional<materials::PoreSpace> read_pores(TableReader& table, const std::optional<GroundWater>& water,
@@ -111,7 +149,8 @@ bool pores_are_sound(const std::string& soil, const Findings& findings) {
          std::ranges::all_of(std::array{"relative_density", "e_max", "e_min"}, sound);
 }
 
-std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, const Case& scene) {
+std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, double level,
+                           const Case& scene) {
   if (!scene.water)
     return layers;
   std::vector<Layer> cut;
@@ -122,7 +161,7 @@ std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, con
     if (soil == nullptr || !soil->pores) {
       cut.push_back(layer);
     } else {
-      const double table = std::clamp(scene.water->level, bottom, top);
+      const double table = std::clamp(level, bottom, top);
       const auto& skeleton = materials::elasticity(soil->law);
       if (table < top) {
         Layer& above = cut.emplace_back(layer);
@@ -140,6 +179,14 @@ std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, con
     top = bottom;
   }
   return cut;
+}
+
+std::vector<Layer> watered_profile(const Case& scene) {
+  return watered(scene.profile, scene.surface_level, scene.water ? scene.water->level : 0.0, scene);
+}
+
+std::vector<Layer> watered(const std::vector<Layer>& layers, const LateralBoundary& side, const Case& scene) {
+  return watered(layers, side.surface, side.water_level, scene);
 }
 
 } // namespace tremolo::scene

@@ -7,7 +7,7 @@
 namespace tremolo::scene {
 
 /// [water]; before the soils.
-void read_water(Document& document, Case& scene);
+void read_water(Document& document, Findings& findings, Case& scene);
 
 /// The pores of a soil from its keys, or from what its law says of them. Gives the soil's table the density
 /// below the water table where it names none, so that the law can be read after; refuses a density that
@@ -26,6 +26,10 @@ std::optional<double> saturated_density_of_law(const TableReader& table);
 /// The layers under a surface, cut at the water table. Elastic constants become those that waves meet: below
 /// the table those of grains and water together, above it those of dry soil. Layers without pores stay as
 /// they are.
-std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, const Case& scene);
+/// @param level  y of the table, m
+std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, double level, const Case& scene);
+/// Likewise the layers of [[profile]], and those of a side.
+std::vector<Layer> watered_profile(const Case& scene);
+std::vector<Layer> watered(const std::vector<Layer>& layers, const LateralBoundary& side, const Case& scene);
 
 } // namespace tremolo::scene

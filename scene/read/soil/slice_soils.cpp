@@ -227,9 +227,9 @@ void put_in_place(Case& scene, Sliced by) {
   scene.soils = std::move(by.soils);
   for (auto& [soil, profile] : by.profiles)
     scene.soil_profiles.push_back(std::move(profile));
-  scene.profile = watered(scene.profile, scene.surface_level, scene);
+  scene.profile = watered_profile(scene);
   for (LateralBoundary* side : {&scene.boundary.left, &scene.boundary.right})
-    side->own_profile = watered(side->own_profile, side->surface, scene);
+    side->own_profile = watered(side->own_profile, *side, scene);
 }
 
 /// The keys of a soil that vary.

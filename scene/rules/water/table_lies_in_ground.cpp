@@ -8,7 +8,7 @@
 namespace tremolo::scene {
 
 void table_lies_in_ground(const Case& scene, Findings& findings) {
-  if (!scene.water)
+  if (!scene.water || !scene.water->is_level())
     return;
   const double level = scene.water->level;
   const double surface =

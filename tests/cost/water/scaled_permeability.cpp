@@ -8,6 +8,7 @@
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/quiet_ground.hpp"
 
@@ -62,7 +63,7 @@ double mean_excess(const Domain& domain) {
   double volume = 0.0;
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k) {
-      sum += set.volume[k] * set.water->excess(set.pore_pressure[k], set.y[k]);
+      sum += set.volume[k] * excess_pressure(set, k);
       volume += set.volume[k];
     }
   return sum / volume;

@@ -2,6 +2,7 @@
 // between cells, free water, consolidation to its end.
 
 #include "mpm_domain/clocks/clock_nodes.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/water/water_scatter.hpp"
 #include "wet_scenes.hpp"
 
@@ -60,7 +61,7 @@ TEST(HardCase20Permeabilities, PermeabilitiesNineOrdersApart) {
   while (stepper.time() < 3.0) {
     stepper.step();
     fastest = std::max(fastest, largest_wet(*domain, flux));
-    highest = std::max(highest, largest_wet(*domain, excess_pressure));
+    highest = std::max(highest, largest_wet(*domain, excess_of));
     lowest = std::max(lowest, largest_wet(*domain, [](const Particles& p, std::size_t k) {
                         return -excess_pressure(p, k);
                       }));
@@ -96,7 +97,7 @@ TEST(HardCase21WaterAtRest, RestOverJumpsOfPorosityAndPermeability) {
   bounded("largest speed", fastest, 1e-6, "m/s");
   bounded("largest flux", flow, 1e-9, "m/s");
   bounded("drift of pressure over that of the depth",
-          largest_wet(*domain, excess_pressure) / (1000.0 * gravity * 6.0), 1e-3);
+          largest_wet(*domain, excess_of) / (1000.0 * gravity * 6.0), 1e-3);
 }
 
 /// Level ground that has moved to the right by this share of a cell, within its sides, under a pressure that
@@ -153,7 +154,7 @@ TEST(HardCase21WaterAtRest, ForcesPerVolumeOfSoilDriveWaterAtRest) {
   const auto residual = [&](bool per_soil) {
     for (Particles& set : domain.sets)
       for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k) {
-        const double rest = set.water->hydrostatic(set.y[k]);
+        const double rest = rest_pressure(set, k);
         set.pore_pressure[k] = rest + (per_soil ? set.water->pores.porosity : 1.0) * rest; // its excess
       }
     scatter_mixture(domain, nodes.of(0), nodes.ties_of(0));
@@ -211,13 +212,13 @@ TEST(HardCase27Reconsolidation, ConsolidationAfterShaking) {
   };
   const double pores = volume_of_pores();
   const double thickness = top() - bottom();
-  const double start = largest_wet(*domain, excess_pressure);
+  const double start = largest_wet(*domain, excess_of);
   double before = 1.0;
   double rise = 0.0;
   for (double look = 20.0; look <= 600.0; look += 20.0) {
     while (stepper.time() < look)
       stepper.step();
-    const double ratio = largest_wet(*domain, excess_pressure) / start;
+    const double ratio = largest_wet(*domain, excess_of) / start;
     rise = std::max(rise, ratio - before);
     before = ratio;
   }

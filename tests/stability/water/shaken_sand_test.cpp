@@ -163,7 +163,7 @@ TEST(HardCase22UndrainedStepLoad, UndrainedStepLoad) {
   while (stepper.time() < 1.0) {
     layer.weight_share = 1.0 + load / at_first * smooth_step(stepper.time() / rise); // its mass stays
     stepper.step();
-    highest = std::max(highest, largest_wet(*domain, excess_pressure));
+    highest = std::max(highest, largest_wet(*domain, excess_of));
     lowest = std::max(lowest, largest_wet(*domain, [](const Particles& p, std::size_t k) {
                         return -excess_pressure(p, k);
                       }));

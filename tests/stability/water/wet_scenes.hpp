@@ -4,6 +4,7 @@
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/hard_case.hpp"
 #include "tests/support/quiet_ground.hpp"
@@ -32,8 +33,8 @@ double largest_wet(const mpm_domain::Domain& domain, const Of& of) {
   return largest;
 }
 
-inline double excess_pressure(const mpm_domain::Particles& set, std::size_t k) {
-  return set.water->excess(set.pore_pressure[k], set.y[k]);
+inline double excess_of(const mpm_domain::Particles& set, std::size_t k) {
+  return mpm_domain::excess_pressure(set, k);
 }
 
 /// |n w|, m/s

@@ -19,6 +19,7 @@ FOR_ALL = "base"  # may be included by every folder
 LIBRARIES = {
     "base": set(),
     "mesh": set(),
+    "seepage": set(),
     "wavefield": set(),
     "materials": set(),
     "motion": set(),
@@ -26,7 +27,7 @@ LIBRARIES = {
     "coupler/eq6": set(),
     "freefield": {"materials"},
     "mpm_domain/spec": {"mesh", "materials", "coupler/eq6"},
-    "mpm_domain": {"mpm_domain/spec", "mesh", "materials", "results", "coupler/eq6"},
+    "mpm_domain": {"mpm_domain/spec", "mesh", "seepage", "materials", "results", "coupler/eq6"},
     "scene": {"mpm_domain/spec", "mesh", "materials", "motion"},
     "coupler": {"results", "coupler/eq6"},
     "app": {"scene", "coupler", "results", "materials", "motion", "wavefield", "freefield", "mpm_domain"},
@@ -47,7 +48,7 @@ PUBLIC_METHODS = 8  # of both roles together, besides constructors
 
 # Rooms of the domain. A room may include those before it. Those up to the boundary work on mpm_domain/ground.hpp alone;
 # those after it on mpm_domain/domain.hpp, which holds the boundary.
-ON_GROUND = ["fields", "spec", "kernel", "clocks", "grid", "ranks", "tiles", "passes", "particles", "strain", "dispersion", "transfer", "water"]
+ON_GROUND = ["fields", "spec", "head", "kernel", "clocks", "grid", "ranks", "tiles", "passes", "particles", "strain", "dispersion", "transfer", "water"]
 ON_GROUND += ["contact", "boundary"]
 ROOMS = [*ON_GROUND, "step", "gravity", "column", "process"]
 MOST_FILES = 20  # C++ files in a folder of a library

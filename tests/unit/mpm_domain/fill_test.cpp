@@ -12,7 +12,7 @@ TEST(Fill, BoxHasItsMassAndParticlesPerCell) {
   Spec spec = test_support::elastic_box(5.0, 3.0, 0.5);
   for (int per_cell = 1; per_cell <= 4; ++per_cell) {
     spec.particles_per_cell = per_cell;
-    const std::vector<Particles> sets = fill(spec);
+    const std::vector<Particles> sets = fill(spec, std::nullopt);
     EXPECT_EQ(sets.front().size(), 60u * static_cast<std::size_t>(per_cell * per_cell));
     const double mass = std::accumulate(sets.front().mass.begin(), sets.front().mass.end(), 0.0);
     EXPECT_NEAR(mass, 1700.0 * 15.0, 1e-8);
@@ -23,7 +23,7 @@ TEST(Fill, LaterRegionWins) {
   Spec spec = test_support::elastic_box(4.0, 4.0, 1.0);
   spec.soils.push_back({"lens", materials::LinearElastic{{2000.0, 80e6, 0.3}}});
   spec.regions.push_back({1, {{1.0, -3.0}, {3.0, -3.0}, {3.0, -1.0}, {1.0, -1.0}}});
-  const std::vector<Particles> sets = fill(spec);
+  const std::vector<Particles> sets = fill(spec, std::nullopt);
   EXPECT_EQ(sets[0].size(), 48u);
   EXPECT_EQ(sets[1].size(), 16u);
 }
@@ -31,11 +31,11 @@ TEST(Fill, LaterRegionWins) {
 TEST(Fill, EmptyDomainIsRefused) {
   Spec spec = test_support::elastic_box(4.0, 4.0, 1.0);
   spec.regions.front().polygon = {{10.0, 10.0}, {11.0, 10.0}, {11.0, 11.0}};
-  EXPECT_THROW(fill(spec), std::invalid_argument);
+  EXPECT_THROW(fill(spec, std::nullopt), std::invalid_argument);
 }
 
 TEST(Fill, BoxThatIsNoMultipleOfTheParticleSizeIsRefused) {
-  EXPECT_THROW(fill(test_support::elastic_box(4.1, 4.0, 1.0)), std::invalid_argument);
+  EXPECT_THROW(fill(test_support::elastic_box(4.1, 4.0, 1.0), std::nullopt), std::invalid_argument);
 }
 
 TEST(RestStress, IsTheOverburdenOfTheLayersAbove) {
@@ -43,7 +43,7 @@ TEST(RestStress, IsTheOverburdenOfTheLayersAbove) {
   spec.gravity = 10.0;
   spec.soils.push_back({"heavy", materials::LinearElastic{{2000.0, 80e6, 0.2}}});
   spec.regions.push_back({1, {{0.0, -4.0}, {2.0, -4.0}, {2.0, -2.0}, {0.0, -2.0}}});
-  std::vector<Particles> sets = fill(spec);
+  std::vector<Particles> sets = fill(spec, std::nullopt);
   set_rest_stress(sets, spec);
   for (std::size_t k = 0; k < sets[1].size(); ++k) {
     const double syy = -(1700.0 * 10.0 * 2.0 + 2000.0 * 10.0 * (-2.0 - sets[1].y[k]));

@@ -101,6 +101,9 @@ class Pictures(unittest.TestCase):
         texts, axes = self.model("table", water_table=-2.5)
         self.assertIn("water table, y = -2.5 m", texts)
         self.assertIn(([0.0, 70.0], [-2.5, -2.5]), [(list(line.get_xdata()), list(line.get_ydata())) for line in axes.lines])
+        texts, axes = self.model("line", phreatic_line=[0.0, -1.0, 30.0, -2.0, 70.0, -4.0])
+        self.assertIn("phreatic surface", texts)
+        self.assertIn(([0.0, 30.0, 70.0], [-1.0, -2.0, -4.0]), [(list(line.get_xdata()), list(line.get_ydata())) for line in axes.lines])
         texts, _ = self.model("dry")
         self.assertFalse([text for text in texts if "water" in text])
 

@@ -2,6 +2,7 @@
 
 #include "mpm_domain/contact/elastic_body.hpp"
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/head/seepage_of_ground.hpp"
 #include "mpm_domain/particles/fill_bodies.hpp"
 #include "tests/support/structure_scene.hpp"
 
@@ -34,7 +35,7 @@ Spec with_body(std::vector<Vector> outline, double density) {
 TEST(FillBodies, HaveAreaMassAndStiffnessOfTheStructure) {
   Spec spec = with_body(circle({0.3, 2.1}, 1.7), 1234.0);
   spec.structures.front().hole = turned(rectangle(-0.3, 1.5, 0.9, 2.4), {0.0, 2.0}, 0.3);
-  const std::vector<Particles> sets = fill_bodies(spec, 0);
+  const std::vector<Particles> sets = fill_bodies(spec, head_of(spec), 0);
   ASSERT_EQ(sets.size(), 1U);
   const Particles& set = sets.front();
   const double area = std::numbers::pi * 1.7 * 1.7 - 1.2 * 0.9;
@@ -51,7 +52,7 @@ TEST(FillBodies, WeighLessUnderWater) {
   spec.soils.front().pores =
       materials::PoreSpace{.porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-4};
   spec.water = GroundWater{.level = 0.0, .fluid = {.density = 1000.0}};
-  const std::vector<Particles> sets = fill_bodies(spec, 0);
+  const std::vector<Particles> sets = fill_bodies(spec, head_of(spec), 0);
   ASSERT_EQ(sets.size(), 2U);
   double weight = 0.0; // over g
   for (const Particles& set : sets) {
@@ -64,9 +65,9 @@ TEST(FillBodies, WeighLessUnderWater) {
 TEST(FillBodies, AreRefusedWithoutStiffness) {
   Spec spec = with_body(rectangle(-1.0, 0.0, 1.0, 2.0), 2500.0);
   spec.structures.front().stiffness = Stiffness{0.0, 0.2};
-  EXPECT_THROW(fill_bodies(spec, 0), std::invalid_argument);
+  EXPECT_THROW(fill_bodies(spec, head_of(spec), 0), std::invalid_argument);
   spec.structures.front().stiffness = Stiffness{1e9, 0.5};
-  EXPECT_THROW(fill_bodies(spec, 0), std::invalid_argument);
+  EXPECT_THROW(fill_bodies(spec, head_of(spec), 0), std::invalid_argument);
 }
 
 TEST(BodyLattice, LiesOnNodesOfTheFinestCellsAndFollowsTheBody) {

@@ -55,7 +55,7 @@ TEST(Plot, SoilAroundATunnelHasItsVolume) {
   for (const double offset : {0.0, 0.05, 0.13, 0.21}) {
     Spec spec = flat_ground(16.0, 12.0, 0.5, {1900.0, 2e8, 0.3});
     spec.structures = {structure(circle({offset, -5.5 + 0.7 * offset}, 2.5), 300.0, 0.4)};
-    const std::vector<Particles> sets = fill(spec);
+    const std::vector<Particles> sets = fill(spec, std::nullopt);
     const double volume = std::accumulate(sets.front().volume.begin(), sets.front().volume.end(), 0.0);
     EXPECT_NEAR(16.0 * 12.0 - volume, std::numbers::pi * 6.25, 1e-3 * std::numbers::pi * 6.25) << offset;
     const auto [least, most] = std::ranges::minmax(sets.front().volume);

@@ -89,7 +89,8 @@ TEST(RigidBody, HasTheMassOfItsOutlineLessItsHole) {
   EXPECT_DOUBLE_EQ(body.mass(), 12000.0);
   EXPECT_NEAR(body.inertia(), 1000.0 * (std::pow(4.0, 4) - std::pow(2.0, 4)) / 6.0, 1e-9);
   // Water to the middle lifts the whole outline's lower half.
-  const RigidLoad load = body.load(9.81, WaterAtRest{0.0, 9810.0});
+  const Head head(0.0);
+  const RigidLoad load = body.load(9.81, WaterAround{head, 9810.0});
   EXPECT_NEAR(load.force.y, 8.0 * 9810.0 - 12000.0 * 9.81, 1e-8);
   EXPECT_NEAR(load.moment, 0.0, 1e-8);
 }
@@ -99,7 +100,8 @@ TEST(RigidBody, RightsItselfInWaterWhenItTilts) {
   body.set_motion({{0.0, 0.0}, 0.1});
   body.move(1.0);
   EXPECT_NEAR(body.tilt(), 0.1, 1e-15);
-  EXPECT_LT(body.load(9.81, WaterAtRest{0.0, 9810.0}).moment, 0.0); // back, clockwise
+  const Head head(0.0);
+  EXPECT_LT(body.load(9.81, WaterAround{head, 9810.0}).moment, 0.0); // back, clockwise
 }
 
 TEST(RigidBody, IsRefusedWithoutAreaOrWeight) {

@@ -26,6 +26,7 @@ using mpm_domain::Domain;
 using mpm_domain::Spec;
 using mpm_domain::Stepper;
 using test_support::add_layers;
+using test_support::add_sloping_water;
 using test_support::add_springs;
 using test_support::add_water;
 using test_support::put_into_container;
@@ -78,6 +79,7 @@ const Model models[] = {
     {"Container", [](Spec& spec) { put_into_container(spec), yield(spec); }, 40},
     {"Undrained", [](Spec& spec) { add_water(spec, materials::Drainage::undrained), yield(spec); }, 40},
     {"Wet", [](Spec& spec) { add_water(spec, materials::Drainage::coupled); }, 40},
+    {"Seeping", [](Spec& spec) { add_sloping_water(spec, materials::Drainage::coupled); }, 40},
     {"WetUsl",
      [](Spec& spec) {
        add_water(spec, materials::Drainage::coupled);

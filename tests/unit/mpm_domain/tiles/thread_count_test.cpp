@@ -13,6 +13,7 @@ namespace {
 
 using mpm_domain::Spec;
 using test_support::add_layers;
+using test_support::add_sloping_water;
 using test_support::add_springs;
 using test_support::add_water;
 using test_support::put_into_container;
@@ -49,6 +50,9 @@ void subcycle(Spec& spec) {
 
 const Model models[] = {
     {"Wet", [](Spec& spec) { add_water(spec, materials::Drainage::coupled); }, 60},
+    {"Seeping", [](Spec& spec) { add_sloping_water(spec, materials::Drainage::coupled); }, 60},
+    {"SeepingGraded", [](Spec& spec) { refine(spec), add_sloping_water(spec, materials::Drainage::drained); },
+     30},
     {"Undrained", [](Spec& spec) { add_water(spec, materials::Drainage::undrained), yield(spec); }, 60},
     {"WetGraded", [](Spec& spec) { refine(spec), add_water(spec, materials::Drainage::coupled); }, 30},
     {"WetPeriodicGraded",

@@ -3,7 +3,8 @@
 
 #include "mpm_domain/clocks/clock_nodes.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
-#include "mpm_domain/particles/pore_volume.hpp"
+#include "mpm_domain/particles/water/pore_volume.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 #include "mpm_domain/water/mixture_update.hpp"
 #include "mpm_domain/water/pore_pressure.hpp"
@@ -55,7 +56,7 @@ protected:
       for (std::size_t k = 0; k < set.size(); ++k) {
         set.x[k] += jitter(random) * set.cell_size;
         set.y[k] += jitter(random) * set.cell_size;
-        set.pore_pressure[k] = set.water->hydrostatic(set.y[k]);
+        set.pore_pressure[k] = rest_pressure(set, k);
       }
     sort_particles(domain);
     scatter(domain, ScatterPart::motion);
@@ -106,12 +107,12 @@ protected:
 TEST_P(PorePressure, IsTheDualOfTheForceOfWater) {
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
-      set.pore_pressure[k] = set.water->hydrostatic(set.y[k]) + std::sin(3.0 * set.x[k] + 2.0 * set.y[k]);
+      set.pore_pressure[k] = rest_pressure(set, k) + std::sin(3.0 * set.x[k] + 2.0 * set.y[k]);
   std::vector<std::vector<double>> excess;
   for (const Particles& set : domain.sets) {
     excess.emplace_back();
     for (std::size_t k = 0; k < set.size(); ++k)
-      excess.back().push_back(set.water->excess(set.pore_pressure[k], set.y[k]));
+      excess.back().push_back(excess_pressure(set, k));
   }
   changes(1);
   const Grid& grid = domain.grid;
@@ -197,10 +198,10 @@ TEST_P(PorePressure, CellsEvenOut) {
   std::normal_distribution<double> excess(0.0, 1e4);
   for (Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
-      set.pore_pressure[k] = set.water->hydrostatic(set.y[k]) + excess(random);
+      set.pore_pressure[k] = rest_pressure(set, k) + excess(random);
   const auto pores = [&](auto s, auto k) { return pore_volume(domain.sets[s], k); };
   const auto of = [&](auto s, auto k) {
-    return domain.sets[s].pore_pressure[k] - domain.sets[s].water->hydrostatic(domain.sets[s].y[k]);
+    return domain.sets[s].pore_pressure[k] - rest_pressure(domain.sets[s], k);
   };
   const auto change = changes(6, 0.0);
   const auto after = [&](auto s, auto k) { return of(s, k) + change[s][k]; };

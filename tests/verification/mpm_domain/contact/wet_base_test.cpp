@@ -1,6 +1,7 @@
 // A foundation in saturated soil whose weight grows at once: the water along its base is pressed smoothly,
 // and none of it jets out at the corners.
 
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "tests/support/liquefied_tunnel.hpp"
 
 #include <gtest/gtest.h>
@@ -42,8 +43,7 @@ TEST_P(WetBase, IsPressedSmoothlyAndLetsNoJetOut) {
   for (const Particles& set : scene.domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       if (set.y[k] < -depth && set.y[k] > -depth - h && std::abs(set.x[k]) < 2.0 / 3.0 * half)
-        pressure[std::lround(std::floor(set.x[k] / h))] +=
-            0.25 * set.water->excess(set.pore_pressure[k], set.y[k]);
+        pressure[std::lround(std::floor(set.x[k] / h))] += 0.25 * excess_pressure(set, k);
   constexpr double cells = 16.0;
   ASSERT_EQ(pressure.size(), 16U);
   double mean = 0.0;

@@ -2,6 +2,7 @@
 // 13; verification C1). Water is compressible here, so the load is shared by Q/(M + Q) at the start and c_v
 // holds the storage of the water. A pressure is the mean of its cell, so cells are compared.
 
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "tests/verification/mpm_domain/water/saturated_column.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ double error_of(const Domain& domain, const test_support::SaturatedColumn& colum
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k, ++count) {
       const double centre = (std::floor(set.y_initial[k] / column.cell) + 0.5) * column.cell;
-      const double p = set.water->excess(set.pore_pressure[k], set.y[k]) / load;
+      const double p = excess_pressure(set, k) / load;
       error += std::pow(p - terzaghi(centre + column.height, column.height, time_factor), 2);
     }
   return std::sqrt(error / count);

@@ -3,7 +3,7 @@
 // momentum of both is not constant: a step changes it by what its new masses of water carry, sum dm_f v_f,
 // and by nothing else.
 
-#include "mpm_domain/particles/pore_volume.hpp"
+#include "mpm_domain/particles/water/pore_volume.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 

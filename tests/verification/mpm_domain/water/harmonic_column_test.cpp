@@ -2,6 +2,7 @@
 // (verification C5). The load is the weight of a thin dry layer, which changes; its mass does not, and is
 // next to nothing.
 
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "tests/support/growing_load.hpp"
 #include "tests/support/harmonic_column.hpp"
 #include "tests/verification/mpm_domain/water/saturated_column.hpp"
@@ -65,7 +66,7 @@ TEST_P(HarmonicLoad, PressureAndDisplacementHaveTheirAmplitudes) {
         const double height = set.y_initial[k] + column.height;
         for (std::size_t h = 0; h < heights.size(); ++h)
           if (std::abs(height - heights[h]) < 0.5 * column.cell)
-            pressure[h] += 0.25 * phase * set.water->excess(set.pore_pressure[k], set.y[k]);
+            pressure[h] += 0.25 * phase * excess_pressure(set, k);
         if (std::abs(height - near_top) < 0.1 * column.cell)
           top += 0.5 * phase * (set.y[k] - set.y_initial[k]);
       }

@@ -5,6 +5,7 @@
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/hard_case.hpp"
 #include "tests/support/liquefaction_reference.hpp"
@@ -49,7 +50,7 @@ std::vector<double> excess_of_cells(const Domain& domain) {
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k) {
       const auto row = static_cast<std::size_t>(-set.y_initial[k] / cell);
-      sums[row] += set.water->excess(set.pore_pressure[k], set.y[k]);
+      sums[row] += excess_pressure(set, k);
       ++counts[row];
     }
   for (std::size_t row = 0; row < sums.size(); ++row)

@@ -3,6 +3,7 @@
 
 #include "materials/sand/pdmy03/pdmy03.hpp"
 #include "materials/sand/pm4sand/pm4sand.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "tests/support/box_models.hpp"
 #include "tests/support/own_column.hpp"
 
@@ -79,7 +80,7 @@ std::vector<Row> rows_of(const Domain& domain) {
     for (std::size_t k = 0; k < set.size(); ++k) {
       Row& row = rows[static_cast<std::size_t>((set.y_initial[k] + depth) / cell)];
       const auto i = static_cast<std::size_t>(set.x_initial[k] / cell);
-      const double excess = set.water->excess(set.pore_pressure[k], set.y[k]);
+      const double excess = excess_pressure(set, k);
       row.ratio[i] += per_cell * excess / -set.vertical_at_rest[k];
       row.settlement[i] += per_cell * (set.y_initial[k] - set.y[k]);
     }

@@ -7,6 +7,7 @@
 #include "materials/sand/pdmy03/pdmy03.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/step/stepper.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +53,7 @@ void disturb(Domain& domain) {
         continue;
       set.x[k] += offset(random);
       set.y[k] += offset(random);
-      set.pore_pressure[k] = set.water->hydrostatic(set.y[k]);
+      set.pore_pressure[k] = rest_pressure(set, k);
     }
   sort_particles(domain);
 }
@@ -103,7 +104,7 @@ TEST(ShakenPressures, AreEvenAlongLevelSand) {
   Spread all;
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k) {
-      const double excess = set.water->excess(set.pore_pressure[k], set.y[k]);
+      const double excess = excess_pressure(set, k);
       const double x = set.x[k] - width * std::floor(set.x[k] / width);
       cells[{std::floor(x / cell), std::floor(set.y[k] / cell)}].add(excess / (gravity * 1000.0 * height));
       rows[std::lround(4.0 * set.y_initial[k] / cell)].add(excess / -set.vertical_at_rest[k]);

@@ -5,6 +5,7 @@
 //
 // The ground has no weight; that of the strip is the load.
 
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "tests/verification/mpm_domain/water/saturated_column.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ Roughness roughness(const Domain& domain) {
   Roughness r{.lowest = 1e9, .highest = -1e9};
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k) {
-      const double p = set.water->excess(set.pore_pressure[k], set.y[k]) / load;
+      const double p = excess_pressure(set, k) / load;
       const int i = std::clamp(static_cast<int>(std::floor(set.x_initial[k] / cell)), 0, side - 1);
       const int j = std::clamp(static_cast<int>(std::floor(set.y_initial[k] / cell)) + side, 0, side - 1);
       Cell& c = cells[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
@@ -104,7 +105,7 @@ TEST_P(StripLoad, PressuresAreSmooth) {
       set.x[k] += offset(random);
       set.y[k] += offset(random);
       if (set.traits.wet)
-        set.pore_pressure[k] = set.water->hydrostatic(set.y[k]);
+        set.pore_pressure[k] = rest_pressure(set, k);
     }
   }
   sort_particles(domain);

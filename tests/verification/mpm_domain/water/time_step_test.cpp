@@ -2,6 +2,7 @@
 // close to the limit that the domain tells, from 1 to 1e-9 m/s. Without damping the energy of the transfer
 // FLIP would grow at once if a mode did.
 
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/quiet_ground.hpp"
 
@@ -26,7 +27,7 @@ double energy_of(const Domain& domain) {
     for (std::size_t k = 0; k < set.size(); ++k) {
       const PoreWater& water = *set.water;
       const double n = water.porosity(set.mass[k], set.volume[k]);
-      const double p = water.excess(set.pore_pressure[k], set.y[k]);
+      const double p = excess_pressure(set, k);
       const double of_water = n * water.fluid.density * set.volume[k];
       energy += 0.5 * set.mass[k] * (set.vx[k] * set.vx[k] + set.vy[k] * set.vy[k]) +
                 0.5 * of_water * (set.wx[k] * set.wx[k] + set.wy[k] * set.wy[k]) +

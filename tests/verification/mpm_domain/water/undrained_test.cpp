@@ -3,6 +3,7 @@
 // and c_1 where there is hardly any (verification C3; Verruijt 2010, An Introduction to Soil Dynamics, ch.
 // 5).
 
+#include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "tests/support/growing_load.hpp"
 #include "tests/verification/mpm_domain/water/saturated_column.hpp"
 
@@ -28,7 +29,7 @@ void for_wet(const Domain& domain, const Act& act) {
 }
 
 double excess(const Particles& set, std::size_t k) {
-  return set.water->excess(set.pore_pressure[k], set.y[k]);
+  return excess_pressure(set, k);
 }
 
 /// A load taken slowly by soil that does not drain, to 0.1 %.

@@ -13,12 +13,15 @@
 //
 //     p = max(p*, p_cav).
 //
-// Forces see the excess over the hydrostatic pressure at the particle's present place,
+// Forces see the excess over the pressure of the undisturbed water at the particle's present place
+// (rest_pressure.hpp),
 //
-//     p_e = p - gamma (level - y),      gamma = rho_f g,
+//     p_e = p - gamma (h - y),      gamma = rho_f g,
 //
-// and soil under water weighs less by the water that it displaces. Both are the momentum balance without its
-// hydrostatic part, so that water at rest exerts no force at all, however particles lie in their cells.
+// with its head h (head/head.hpp), and soil under water weighs less by the water that it displaces. Both are
+// the momentum balance without its hydrostatic part, so that water at rest exerts no force at all, however
+// particles lie in their cells. Where h varies, it leaves the seepage force -gamma grad h
+// (water/seepage_force.hpp).
 
 #include "materials/water/pore_water.hpp"
 
@@ -29,7 +32,7 @@ namespace tremolo::mpm_domain {
 struct PoreWater {
   materials::PoreSpace pores; ///< at the start
   materials::PoreFluid fluid;
-  double level = 0.0;           ///< y of the water table, m
+  double level = 0.0;           ///< the head where it is the same everywhere: y of the table, m
   double unit_weight = 0.0;     ///< gamma, N/m3
   double grains_per_mass = 0.0; ///< c, m3/kg
 
@@ -39,15 +42,8 @@ struct PoreWater {
   Real porosity(const Real& mass, const Real& volume) const {
     return 1.0 - grains_per_mass * mass / volume;
   }
-  /// Pressure of water at rest, Pa. It is negative above the table, where wet soil may have moved.
-  template <typename Real>
-  Real hydrostatic(const Real& y) const {
-    return unit_weight * (level - y);
-  }
   /// p of p*, Pa
   double pressure(double unclipped) const { return std::max(unclipped, fluid.cavitation_pressure); }
-  /// p_e, Pa
-  double excess(double unclipped, double y) const { return pressure(unclipped) - hydrostatic(y); }
   /// rho_f g/k, Pa s/m2
   double resistance() const { return unit_weight / pores.permeability; }
 };

@@ -1,0 +1,34 @@
+#pragma once
+
+// The mesh of the ground that water flows through (seepage_of_ground.hpp): its cells, and its edges by what
+// they border on.
+
+#include "mpm_domain/head/head.hpp"
+#include "mpm_domain/spec/spec.hpp"
+#include "seepage/flow_problem.hpp"
+
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+struct GroundMesh {
+  /// Nodes of the regular grid, some of them moved onto the surface; elements with their permeability. No
+  /// conditions yet.
+  seepage::FlowProblem problem;
+  HeadGrid grid; ///< the regular grid, without heads
+  /// By column of nodes: the level of the ground on its left and on its right, m; the base where there is
+  /// none.
+  std::vector<double> left_of, right_of;
+  std::vector<std::size_t> left, right; ///< nodes of both sides of the model
+  std::vector<std::size_t> surface;     ///< nodes that are open to the air, or to free water
+
+  double ground(std::size_t column) const { return std::max(left_of[column], right_of[column]); }
+  /// Levels as near as this are one, m.
+  double slack() const { return 1e-5 * grid.h; }
+  std::size_t column(std::size_t node) const { return node % grid.columns; }
+};
+
+/// @throws std::invalid_argument for a soil without permeability, which it names
+GroundMesh mesh_of(const Spec& spec);
+
+} // namespace tremolo::mpm_domain
