@@ -116,6 +116,8 @@ struct Structure {
 struct Standing {
   std::vector<Region> regions;
   std::vector<Structure> structures;
+  std::optional<GroundWater> water;
+  std::vector<GroundWater> still_wet; ///< of stages before, below which soil could not drain yet
 };
 
 /// A layer of a free-field profile.
@@ -260,12 +262,14 @@ struct LoadStage : StaticStage {
   double shear = 0.0;    ///< along it, towards +x, Pa
 };
 
-/// [[stage]] kind = "construction": soil and structures are placed and removed.
+/// [[stage]] kind = "construction", soil and structures are placed and removed; or "water", which has other
+/// levels.
 struct ConstructionStage : StaticStage {
-  std::vector<std::string> place;  ///< names of regions and structures
-  std::vector<std::string> remove; ///< likewise
-  std::size_t loads_before = 0;    ///< how many of Case::loads come before it
-  Standing before;                 ///< what stands until it
+  std::vector<std::string> place;   ///< names of regions and structures
+  std::vector<std::string> remove;  ///< likewise
+  std::optional<GroundWater> water; ///< of kind "water": where it is from then on
+  std::size_t loads_before = 0;     ///< how many of Case::loads come before it
+  Standing before;                  ///< what stands until it
 };
 
 /// [[stage]] kind = "shaking"; t = 0 of the motion is its start.
@@ -380,9 +384,10 @@ struct Case {
   std::string text;                ///< the source
 
   MotionInput motion;
-  double surface_level = 0.0;      ///< y of the free field's surface, m; none above a shaking table
-  materials::Elasticity halfspace; ///< none below a shaking table
-  std::optional<GroundWater> water;
+  double surface_level = 0.0;         ///< y of the free field's surface, m; none above a shaking table
+  materials::Elasticity halfspace;    ///< none below a shaking table
+  std::optional<GroundWater> water;   ///< while the ground is shaken
+  std::vector<GroundWater> still_wet; ///< of stages before, below which soil could not drain yet
   std::vector<Soil> soils; ///< the slices of a soil stand one behind the other, and all have its name
   std::vector<SoilProfile> soil_profiles; ///< of the soils that are sliced
   std::vector<Region> regions;            ///< those that are there while the ground is shaken

@@ -172,9 +172,11 @@ void Contact::refuse_coarse_cells(const Ground& ground, std::size_t body) const 
   }
 }
 
-void Contact::weigh(const Ground& ground, std::size_t body, double share) {
+void Contact::weigh(const Ground& ground, std::size_t body, double share, const RigidLoad& before) {
   const RigidLoad whole = bodies_[body].load(ground.spec.gravity, water_around(ground));
-  loads_[body] = {{share * whole.force.x, share * whole.force.y}, share * whole.moment};
+  const auto blend = [share](double from, double to) { return from + share * (to - from); };
+  loads_[body] = {{blend(before.force.x, whole.force.x), blend(before.force.y, whole.force.y)},
+                  blend(before.moment, whole.moment)};
 }
 
 void Contact::find_nodes(Ground& ground, bool bonded) {

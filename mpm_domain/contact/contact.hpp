@@ -86,8 +86,11 @@ public:
 
   /// Finds the contact nodes of the gravity stage, in which nothing moves.
   void begin_rest(Ground& ground);
-  /// Lets a rigid body weigh a share (1) of its weight and buoyancy until nodes are found again.
-  void weigh(const Ground& ground, std::size_t body, double share);
+  /// Lets weight and buoyancy of a rigid body be what lies at a share (1) of the way from `before` to what
+  /// they are, until nodes are found again.
+  void weigh(const Ground& ground, std::size_t body, double share, const RigidLoad& before = {});
+  /// Weight and buoyancy of a rigid body.
+  const RigidLoad& weight(std::size_t body) const { return loads_[body]; }
 
   /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m.
   /// @param bonded  soil and bodies stick together, whatever that takes

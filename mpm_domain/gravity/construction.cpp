@@ -3,8 +3,11 @@
 #include "mpm_domain/particles/fill.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <unordered_map>
 
 namespace tremolo::mpm_domain {
@@ -21,20 +24,37 @@ std::int64_t square_of(const Particles& set, std::size_t k, const Box& box) {
   return along(set.x[k], box.x_min) * rows + along(set.y[k], box.y_min);
 }
 
-/// The set of the model before that particles of a set come from; null: there was none.
-const Particles* set_before(const Domain& before, const Domain& after, std::size_t s) {
-  const Particles& set = after.sets[s];
-  if (!set.body)
-    return &before.sets[s]; // both models have the same soils and levels
-  const auto found = std::ranges::find_if(before.body_sets(), [&](const Particles& other) {
-    return other.soil == set.soil && other.water.has_value() == set.water.has_value();
-  });
-  return found == before.body_sets().end() ? nullptr : &*found;
+/// A particle of the model before.
+struct Former {
+  const Particles* set;
+  std::size_t k;
+};
+
+/// What stood in the squares of one soil and level, above the water and below it, or of one body.
+using Formers = std::unordered_map<std::int64_t, Former>;
+
+Formers formers_of(const Domain& before, const Particles& set) {
+  Formers formers;
+  for (const Particles& other : before.sets)
+    if (other.body.has_value() == set.body.has_value() && other.soil == set.soil &&
+        other.soil_index == set.soil_index && other.level == set.level)
+      for (std::size_t k = 0; k < other.size(); ++k)
+        formers.emplace(square_of(other, k, before.spec.box), Former{&other, k});
+  return formers;
+}
+
+/// Fields of the undisturbed water, which are those of the model itself.
+constexpr std::array of_water{&ParticleFields::pressure_at_rest, &ParticleFields::head,
+                              &ParticleFields::head_slope_x, &ParticleFields::head_slope_y};
+
+bool is_kept(const Particles& set, const Particles& from, const ParticleFieldDescription& line) {
+  return set.traits.have(line.trait) && from.traits.have(line.trait) && line.on_cut == OnCut::copied &&
+         std::ranges::find(of_water, line.field) == of_water.end();
 }
 
 void take_state(Particles& set, std::size_t k, const Particles& from, std::size_t j) {
   for (const ParticleFieldDescription& line : particle_field_table())
-    if (set.traits.have(line.trait) && line.on_cut == OnCut::copied)
+    if (is_kept(set, from, line))
       (set.*line.field)[k] = (from.*line.field)[j];
   for (std::size_t n = 0; n < set.more.size(); ++n)
     if (set.more_fields[n].on_cut == OnCut::copied)
@@ -46,60 +66,72 @@ void take_state(Particles& set, std::size_t k, const Particles& from, std::size_
 }
 
 /// @returns which particles are new
-std::vector<bool> take_states(Particles& set, const Particles* from, const Box& box) {
+std::vector<bool> take_states(Particles& set, const Formers& formers, const Box& box) {
   std::vector<bool> is_new(set.size(), true);
-  if (from == nullptr)
-    return is_new;
-  std::unordered_map<std::int64_t, std::size_t> squares;
-  for (std::size_t j = 0; j < from->size(); ++j)
-    squares.emplace(square_of(*from, j, box), j);
   for (std::size_t k = 0; k < set.size(); ++k)
-    if (const auto found = squares.find(square_of(set, k, box)); found != squares.end()) {
-      take_state(set, k, *from, found->second);
+    if (const auto found = formers.find(square_of(set, k, box)); found != formers.end()) {
+      take_state(set, k, *found->second.set, found->second.k);
       is_new[k] = false;
     }
   return is_new;
 }
 
-/// The bodies of one model that another one lacks.
-std::vector<std::size_t> bodies_without(const Domain& model, const Domain& other) {
-  std::vector<std::size_t> found;
-  const auto others = other.contact.bodies();
-  for (std::size_t b = 0; b < model.contact.bodies().size(); ++b)
-    if (std::ranges::find(others, model.contact.bodies()[b].name(), &RigidBody::name) == others.end())
-      found.push_back(b);
-  return found;
+/// The structure of this name in a model; none where it does not stand.
+std::optional<std::size_t> structure_of(const Domain& model, const std::string& name) {
+  const auto bodies = model.contact.bodies();
+  const auto found = std::ranges::find(bodies, name, &RigidBody::name);
+  return found == bodies.end() ? std::nullopt
+                               : std::optional(static_cast<std::size_t>(found - bodies.begin()));
+}
+
+/// The lattice of an elastic structure; null: it is rigid.
+const Lattice* lattice_of(const Domain& model, std::size_t structure) {
+  const ElasticBody* const elastic = model.contact.elastic(structure);
+  return elastic == nullptr ? nullptr : &model.bodies[elastic->number()].lattice;
 }
 
 } // namespace
 
-Placed carry_over(const Domain& before, Domain& after) {
-  Placed placed;
-  for (std::size_t s = 0; s < after.sets.size(); ++s)
-    placed.particles.push_back(take_states(after.sets[s], set_before(before, after, s), after.spec.box));
+void carry_over(const Domain& before, Domain& after) {
+  std::vector<std::vector<bool>> is_new;
+  for (Particles& set : after.sets)
+    is_new.push_back(take_states(set, formers_of(before, set), after.spec.box));
   set_rest_stress(after.sets_of_soil(), after.spec,
-                  [&](std::size_t s, std::size_t k) { return placed.particles[s][k]; });
-  placed.structures = bodies_without(after, before);
-  return placed;
+                  [&](std::size_t s, std::size_t k) { return is_new[s][k]; });
 }
 
 std::vector<std::size_t> removed_structures(const Domain& before, const Domain& after) {
-  return bodies_without(before, after);
+  std::vector<std::size_t> removed;
+  for (std::size_t b = 0; b < before.contact.bodies().size(); ++b)
+    if (!structure_of(after, before.contact.bodies()[b].name()))
+      removed.push_back(b);
+  return removed;
 }
 
-std::vector<Vector> lacking_forces(const Domain& after, const Placed& placed, const std::vector<Vector>& f0,
+std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, const std::vector<Vector>& f0,
                                    const std::vector<Vector>& f1) {
   std::vector<Vector> lacking(f1.size());
   const std::size_t soil_nodes = after.bodies.empty() ? f1.size() : after.bodies.front().lattice.first;
   for (std::size_t n = 0; n < soil_nodes; ++n)
     lacking[n] = {f0[n].x - f1[n].x, f0[n].y - f1[n].y};
-  for (const std::size_t b : placed.structures)
-    if (const ElasticBody* elastic = after.contact.elastic(b)) {
-      const Lattice& own = after.bodies[elastic->number()].lattice;
-      for (std::size_t n = own.first; n < own.first + own.count(); ++n)
-        lacking[n] = {-f1[n].x, -f1[n].y};
+  for (std::size_t b = 0; b < after.contact.bodies().size(); ++b) {
+    const Lattice* const own = lattice_of(after, b);
+    if (own == nullptr)
+      continue;
+    const auto former = structure_of(before, after.contact.bodies()[b].name());
+    const Lattice* const there = former ? lattice_of(before, *former) : nullptr;
+    for (std::size_t n = 0; n < own->count(); ++n) {
+      const Vector had = there == nullptr ? Vector{} : f0[there->first + n];
+      const Vector has = f1[own->first + n];
+      lacking[own->first + n] = {had.x - has.x, had.y - has.y};
     }
+  }
   return lacking;
+}
+
+RigidLoad weight_before(const Domain& before, const Domain& after, std::size_t structure) {
+  const auto former = structure_of(before, after.contact.bodies()[structure].name());
+  return former ? before.contact.weight(*former) : RigidLoad{};
 }
 
 } // namespace tremolo::mpm_domain

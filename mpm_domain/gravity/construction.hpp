@@ -13,7 +13,8 @@
 //
 // is what the nodes lack: what removed soil held, less the weight of placed soil. With c as a load nothing
 // moves, and as it goes to zero (relaxation.hpp) the ground takes over: excavation and placing are one. What
-// a removed structure pressed onto the soil counts in f0. A placed one begins without weight.
+// a removed structure pressed onto the soil counts in f0. A placed one begins without weight. Where the water
+// has another level, soil that becomes dry, or wet, weighs otherwise, and so c has that part too.
 
 #include "mpm_domain/domain.hpp"
 
@@ -22,22 +23,19 @@
 
 namespace tremolo::mpm_domain {
 
-/// What of a model was not there before.
-struct Placed {
-  std::vector<std::vector<bool>> particles; ///< by set and particle
-  std::vector<std::size_t> structures;      ///< as places in Contact::bodies()
-};
-
 /// Gives the particles of a model what those of the model before have come to, and new soil the stress of its
 /// own weight.
-Placed carry_over(const Domain& before, Domain& after);
+void carry_over(const Domain& before, Domain& after);
 
 /// The structures that are not in the model after, as places in Contact::bodies() of the one before.
 std::vector<std::size_t> removed_structures(const Domain& before, const Domain& after);
 
-/// c of the nodes of the model after.
+/// c of the nodes of the model after; a placed body begins without forces.
 /// @param f0, f1  forces on the nodes of the model before and of that after, N/m
-std::vector<Vector> lacking_forces(const Domain& after, const Placed& placed, const std::vector<Vector>& f0,
+std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, const std::vector<Vector>& f0,
                                    const std::vector<Vector>& f1);
+
+/// Weight and buoyancy of a structure in the model before; none of one that is placed.
+RigidLoad weight_before(const Domain& before, const Domain& after, std::size_t structure);
 
 } // namespace tremolo::mpm_domain

@@ -189,6 +189,8 @@ private:
           Spec spec = end_.spec;
           spec.regions = next->regions;
           spec.structures = next->structures;
+          spec.water = next->water;
+          spec.still_wet = next->still_wet;
           spec.loads.resize(loads);
           own_ = std::make_shared<Domain>(spec);
           model_ = own_.get();
@@ -235,7 +237,7 @@ private:
     if (disturbed_ && !load.undrained) {
       const std::vector<Vector> f0 = relaxation_->forces();
       drain(*model_);
-      relaxation_->hold(lacking_forces(*model_, {}, f0, relaxation_->forces()));
+      relaxation_->hold(lacking_forces(*model_, *model_, f0, relaxation_->forces()));
     }
     Course course = course_of(load);
     course.grow = [&](double share) {
@@ -261,21 +263,22 @@ private:
     for (const std::size_t removed : removed_structures(before, *model_))
       relaxation_->add_contact_forces(removed, f0);
     relaxation_->finish();
-    const Placed placed = carry_over(before, *model_);
+    carry_over(before, *model_);
     relaxation_.emplace(*model_);
     relaxation_->count_way();
-    if (disturbed_ && !construction.undrained)
+    if (!construction.undrained)
       drain(*model_);
     act_with_loads(stage_ - 1);
-    relaxation_->hold(lacking_forces(*model_, placed, f0, relaxation_->forces()));
+    relaxation_->hold(lacking_forces(before, *model_, f0, relaxation_->forces()));
     Course course = course_of(construction);
     course.bonded = true;
     course.grow = [&](double share) {
-      for (const std::size_t b : placed.structures)
-        model_->contact.weigh(*model_, b, share);
+      for (std::size_t b = 0; b < model_->contact.bodies().size(); ++b)
+        model_->contact.weigh(*model_, b, share, weight_before(before, *model_, b));
     };
-    const Relaxed rest = run(course, "the ground did not come to rest in a construction stage",
-                             "it may not stand without what was removed, or carry what was placed");
+    const Relaxed rest = run(
+        course, "the ground did not come to rest in a construction stage",
+        "it may not stand without what was removed, carry what was placed, or bear the change of the water");
     end_bonds(course, rest);
   }
 

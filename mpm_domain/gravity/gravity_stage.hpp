@@ -12,7 +12,8 @@
 // ||f|| over the norm of all nodal weights, is below the stated residual.
 //
 // Other static stages follow: loads on the surface, and construction, which places and removes soil and
-// structures (construction.hpp). What they bring goes from 0 to its size along half of a cosine,
+// structures and changes the level of the water (construction.hpp). What they bring goes from 0 to its size
+// along half of a cosine,
 //
 //     share(t) = (1 - cos(pi t/T))/2,      0 <= t <= T,
 //
@@ -30,6 +31,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -88,6 +90,8 @@ struct LoadSettings : StageSettings {
 struct ConstructionSettings : StageSettings {
   std::vector<Region> regions; ///< of the model until then
   std::vector<Structure> structures;
+  std::optional<GroundWater> water;
+  std::vector<GroundWater> still_wet;
 };
 
 using StaticStage = std::variant<LoadSettings, ConstructionSettings>;

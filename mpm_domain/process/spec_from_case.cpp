@@ -31,13 +31,23 @@ std::vector<Vector> corners_of(const scene::Polygon& polygon) {
   return corners;
 }
 
-GroundWater water_of(const scene::GroundWater& water) {
+GroundWater copy_of(const scene::GroundWater& water) {
   GroundWater copy{.level = water.level, .fluid = water.fluid};
   for (const scene::Point& corner : water.line)
     copy.line.push_back({corner.x, corner.y});
   if (water.seepage)
     copy.seepage = {water.seepage->left, water.seepage->right};
   return copy;
+}
+
+std::optional<GroundWater> water_of(const std::optional<scene::GroundWater>& water) {
+  return water ? std::optional(copy_of(*water)) : std::nullopt;
+}
+
+std::vector<GroundWater> waters_of(const std::vector<scene::GroundWater>& waters) {
+  std::vector<GroundWater> copies;
+  std::ranges::transform(waters, std::back_inserter(copies), copy_of);
+  return copies;
 }
 
 Structure structure_of(const scene::Structure& structure) {
@@ -80,9 +90,10 @@ std::vector<StaticStage> static_settings(const scene::Case& scene) {
       stages.emplace_back(LoadSettings{settings(**load), loads++});
     else {
       const auto& construction = *std::get<const scene::ConstructionStage*>(stage);
-      stages.emplace_back(ConstructionSettings{settings(construction),
-                                               regions_of(construction.before.regions),
-                                               structures_of(construction.before.structures)});
+      stages.emplace_back(ConstructionSettings{
+          settings(construction), regions_of(construction.before.regions),
+          structures_of(construction.before.structures), water_of(construction.before.water),
+          waters_of(construction.before.still_wet)});
     }
   }
   return stages;
@@ -101,8 +112,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   for (const scene::Soil& soil : scene.soils)
     spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh),
                           scene::damping_time(scene.damping, soil.damping), soil.pores});
-  if (scene.water)
-    spec.water = water_of(*scene.water);
+  spec.water = water_of(scene.water);
+  spec.still_wet = waters_of(scene.still_wet);
   spec.regions = regions_of(scene.regions);
   spec.structures = structures_of(scene.structures);
   spec.cut_at_edges = !scene.structures.empty() ||

@@ -83,6 +83,8 @@ struct Spec {
   std::vector<mesh::Refinement> refine;
   double gravity = 0.0; ///< m/s2, downwards
   std::optional<GroundWater> water = {};
+  /// Waters of stages before, below which soil is wet still, since it could not drain.
+  std::vector<GroundWater> still_wet = {};
   std::vector<Soil> soils;
   std::vector<Region> regions;
   std::vector<Structure> structures = {};

@@ -121,7 +121,9 @@ void find_standing(Case& scene, Findings& findings) {
   refuse_shared_names(scene, findings);
   States states = states_at_start(scene);
   for (ConstructionStage& stage : scene.constructions) {
-    stage.before = standing(scene, states);
+    Standing before = standing(scene, states);
+    stage.before.regions = std::move(before.regions);
+    stage.before.structures = std::move(before.structures);
     change(states, stage, false, findings);
     change(states, stage, true, findings);
   }

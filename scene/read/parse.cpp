@@ -44,9 +44,9 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
     read_mesh(document, scene);
     read_time(document, findings, scene);
   }
-  read_free_field(document, findings, scene);
   if (document.has("stage"))
     read_stages(document, findings, scene);
+  read_free_field(document, findings, scene);
   auto& [sides, left, right, base] = scene.boundary;
   left.surface = right.surface = scene.surface_level;
   if (scene.water)
@@ -96,6 +96,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
     document.named("soil"); // reports that there is none
   if (has_shaking_table(root))
     scene.boundary.base.field.model = SourceModel::shaking_table;
+  read_stages(document, findings, scene);
   read_free_field(document, findings, scene);
   read_boundary(document, findings, scene);
   read_model(document, findings, scene);

@@ -25,6 +25,7 @@ std::optional<std::size_t> soil_index(const TableReader& table, const std::vecto
 void read_mesh(Document& document, Case& scene);
 /// Time stepping of the domain.
 void read_time(Document& document, Findings& findings, Case& scene);
+/// Stages; before read_free_field.
 void read_stages(Document& document, Findings& findings, Case& scene);
 /// What stands before each construction and after all; after all else that knows regions and structures.
 void find_standing(Case& scene, Findings& findings);
@@ -34,7 +35,7 @@ void read_structures(Document& document, Findings& findings, Case& scene);
 /// as neither.
 std::optional<Outline> read_outline(const TableReader& table, std::string_view polygon,
                                     std::string_view circle_key, Findings& findings);
-/// Regions, structures, time stepping and stages; after read_free_field.
+/// Regions, structures and time stepping; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
 /// Which processes run on other machines.
 void read_hosts(Document& document, Case& scene);

@@ -46,7 +46,6 @@ void read_model(Document& document, Findings& findings, Case& scene) {
     scene.regions.push_back(read_region(table, scene.soils, findings));
   read_structures(document, findings, scene);
   read_time(document, findings, scene);
-  read_stages(document, findings, scene);
 }
 
 } // namespace tremolo::scene

@@ -1,4 +1,5 @@
 #include "scene/read/read.hpp"
+#include "scene/read/soil/read_water.hpp"
 
 #include <fmt/format.h>
 
@@ -41,11 +42,13 @@ void read_static(StaticStage& stage, const TableReader& table, const std::string
   stage.undrained = table.choice<StageDrainage>("drainage") == StageDrainage::undrained;
   stage.path = table.path();
   const std::string kind = table.text("kind");
+  const char* const suffix = kind == "water" ? " stage" : "";
   if (shaken || so_far.rest)
-    findings.add(table.path("kind"), fmt::format("a {} must come before the shaking stage", kind));
+    findings.add(table.path("kind"), fmt::format("a {}{} must come before the shaking stage", kind, suffix));
   else if (!so_far.gravity)
     findings.add(table.path("kind"),
-                 fmt::format("a {} must come after a gravity stage, whose relaxation it goes on with", kind));
+                 fmt::format("a {}{} must come after a gravity stage, whose relaxation it goes on with", kind,
+                             suffix));
 }
 
 LoadStage read_load(const TableReader& table, Findings& findings) {
@@ -78,6 +81,13 @@ ConstructionStage read_construction(const TableReader& table, const Case& so_far
   return construction;
 }
 
+ConstructionStage read_change_of_water(const TableReader& table, const Case& so_far, Findings& findings) {
+  ConstructionStage change;
+  change.water = read_levels(table, findings);
+  change.loads_before = so_far.loads.size();
+  return change;
+}
+
 } // namespace
 
 void read_stages(Document& document, Findings& findings, Case& scene) {
@@ -108,8 +118,9 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
       read_static(load, table, name_of_stage(), scene, shaken, findings);
       scene.loads.push_back(std::move(load));
     }
-    if (kind == "construction") {
-      ConstructionStage construction = read_construction(table, scene, findings);
+    if (kind == "construction" || kind == "water") {
+      ConstructionStage construction = kind == "water" ? read_change_of_water(table, scene, findings)
+                                                       : read_construction(table, scene, findings);
       read_static(construction, table, name_of_stage(), scene, shaken, findings);
       scene.constructions.push_back(std::move(construction));
     }

@@ -5,45 +5,47 @@
 
 namespace tremolo::scene {
 
-Table water_table() {
+std::vector<Key> level_keys() {
   return {
+      {.name = "level",
+       .unit = "m",
+       .meaning = "y of a level water table, an elevation as all y are, not a depth. Above the ground it is "
+                  "the level of free water, whose pressure the ground carries.",
+       .otherwise = "`line`, or `seepage = true` with `left` and `right`"},
+      {.name = "line",
+       .type = Type::line,
+       .unit = "m",
+       .meaning =
+           "Corners of a phreatic line from left to right, over the whole width of the model, in place "
+           "of `level`. Water rests below it: its pressure is that of the line straight above. That "
+           "is not flow; where the line slopes, `seepage = true` is better.",
+       .otherwise = "`level`"},
+      {.name = "seepage",
+       .type = Type::boolean,
+       .meaning = "Water flows steadily through the ground, between the levels `left` and `right`. The flow "
+                  "is found before the gravity stage, with its phreatic surface and where it leaves the "
+                  "ground; every soil of the domain needs a permeability.",
+       .fallback = "false"},
+      {.name = "left",
+       .unit = "m",
+       .meaning = "y of the water at the left side: of the table in the ground there, or of free water, "
+                  "which reaches to where the ground rises above it.",
+       .required = true,
+       .when = {"seepage", {"true"}}},
+      {.name = "right",
+       .unit = "m",
+       .meaning = "Likewise at the right side.",
+       .required = true,
+       .when = {"seepage", {"true"}}}};
+}
+
+Table water_table() {
+  Table table{
       .name = "water",
       .meaning =
           "Water in the pores of the ground below a level table, or a phreatic line, or in steady flow. "
           "Soil above it is dry, and free water stands over ground that lies below it.",
       .keys = {
-          {.name = "level",
-           .unit = "m",
-           .meaning =
-               "y of a level water table, an elevation as all y are, not a depth. Above the ground it is "
-               "the level of free water, whose pressure the ground carries.",
-           .otherwise = "`line`, or `seepage = true` with `left` and `right`"},
-          {.name = "line",
-           .type = Type::line,
-           .unit = "m",
-           .meaning =
-               "Corners of a phreatic line from left to right, over the whole width of the model, in place "
-               "of `level`. Water rests below it: its pressure is that of the line straight above. That "
-               "is not flow; where the line slopes, `seepage = true` is better.",
-           .otherwise = "`level`"},
-          {.name = "seepage",
-           .type = Type::boolean,
-           .meaning =
-               "Water flows steadily through the ground, between the levels `left` and `right`. The flow "
-               "is found before the gravity stage, with its phreatic surface and where it leaves the "
-               "ground; every soil of the domain needs a permeability.",
-           .fallback = "false"},
-          {.name = "left",
-           .unit = "m",
-           .meaning = "y of the water at the left side: of the table in the ground there, or of free water, "
-                      "which reaches to where the ground rises above it.",
-           .required = true,
-           .when = {"seepage", {"true"}}},
-          {.name = "right",
-           .unit = "m",
-           .meaning = "Likewise at the right side.",
-           .required = true,
-           .when = {"seepage", {"true"}}},
           {.name = "density",
            .unit = "kg/m3",
            .meaning = "Density of water.",
@@ -60,6 +62,9 @@ Table water_table() {
            .fallback = "-90e3",
            .range = {.low = -1e9, .high = 0.0}},
       }};
+  const std::vector<Key> levels = level_keys();
+  table.keys.insert(table.keys.begin(), levels.begin(), levels.end());
+  return table;
 }
 
 std::vector<Key> pore_keys() {

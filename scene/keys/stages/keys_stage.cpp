@@ -2,24 +2,27 @@
 
 #include "scene/choices.hpp"
 #include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/keys/soil/keys_water.hpp"
 
 namespace tremolo::scene {
 
 Table stage_table() {
-  return {
+  Table table{
       .name = "stage",
       .kind = Kind::array,
       .required = true,
-      .meaning = "The stages in their order: at most one of gravity, then any number of loads and "
-                 "constructions, then one of shaking, then at most one of rest. Without a gravity stage the "
+      .meaning = "The stages in their order: at most one of gravity, then any number of loads, "
+                 "constructions and changes of the water, then one of shaking, then at most one of rest. "
+                 "Without a gravity stage the "
                  "model is weightless. See docs/stages.md.",
       .keys = {
           choice(
-              "kind", {"gravity", "load", "construction", "shaking", "rest"},
+              "kind", {"gravity", "load", "construction", "water", "shaking", "rest"},
               "`gravity`: base fixed, sides on rollers, brought to rest by damped relaxation; what held the "
               "model then acts as static traction. `load`: a load comes onto the surface and stays, and the "
               "ground comes to rest under it in the same way. `construction`: soil and structures are placed "
-              "and removed, likewise. `shaking`: the motion enters, t = 0 at its "
+              "and removed, likewise. `water`: it has other levels, likewise. `shaking`: the motion enters, "
+              "t = 0 at its "
               "start. `rest`: "
               "strong motion is over and sand reconsolidates, with the stiffness that `pm4sand` has after "
               "shaking; what is left of the motion goes on."),
@@ -38,13 +41,13 @@ Table stage_table() {
            .meaning = "Unbalanced nodal forces at rest, relative to the nodal weights (2-norms).",
            .fallback = "1e-9",
            .range = {.low = 1e-12, .high = 0.1},
-           .when = {"kind", {"gravity", "load", "construction"}}},
+           .when = {"kind", {"gravity", "load", "construction", "water"}}},
           {.name = "max_time_s",
            .unit = "s",
            .meaning = "Simulated time within which rest must be reached, after the ramp.",
            .fallback = "60",
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
-           .when = {"kind", {"gravity", "load", "construction"}}},
+           .when = {"kind", {"gravity", "load", "construction", "water"}}},
           {.name = "place",
            .type = Type::texts,
            .meaning =
@@ -66,7 +69,7 @@ Table stage_table() {
                "ground is shaken and rests.",
            .fallback = scene::name(StageDrainage::drained),
            .choices = all_words<StageDrainage>(),
-           .when = {"kind", {"load", "construction"}}},
+           .when = {"kind", {"load", "construction", "water"}}},
           {.name = "x_m",
            .type = Type::numbers,
            .unit = "m",
@@ -93,7 +96,7 @@ Table stage_table() {
            .otherwise =
                "five periods 4 H/c_s of the ground, with the depth H of the mesh and its slowest soil",
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
-           .when = {"kind", {"load", "construction"}}},
+           .when = {"kind", {"load", "construction", "water"}}},
           {.name = "duration_s",
            .unit = "s",
            .meaning = "Length of the stage.",
@@ -136,6 +139,12 @@ Table stage_table() {
            .otherwise = "that of [output]",
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
            .when = {"kind", {"rest"}}}}};
+  for (Key key : level_keys()) {
+    if (key.when.key.empty())
+      key.when = {"kind", {"water"}};
+    table.keys.push_back(key);
+  }
+  return table;
 }
 
 } // namespace tremolo::scene

@@ -1,5 +1,6 @@
 #include "scene/plan/stages/stages.hpp"
 
+#include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
 
 #include <fmt/format.h>
@@ -33,6 +34,8 @@ PlannedStage construction(const Case& scene, const ConstructionStage& stage) {
   };
   const std::string removed = list("removes", stage.remove);
   const std::string placed = list("places", stage.place);
+  if (stage.water)
+    return {stage.name, "water", table_text(*stage.water), relaxation(scene, stage)};
   return {stage.name, "construction", removed + (removed.empty() || placed.empty() ? "" : ", ") + placed,
           relaxation(scene, stage)};
 }
@@ -96,6 +99,8 @@ Case before_construction(const Case& scene, const ConstructionStage& constructio
   Case then = scene;
   then.regions = construction.before.regions;
   then.structures = construction.before.structures;
+  then.water = construction.before.water;
+  then.still_wet = construction.before.still_wet;
   then.loads.resize(construction.loads_before);
   return then;
 }

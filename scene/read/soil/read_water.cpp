@@ -90,14 +90,8 @@ void settle_density(TableReader& table, const materials::PoreSpace& pores, const
 
 } // namespace
 
-void read_water(Document& document, Findings& findings, Case& scene) {
-  if (!document.has("water"))
-    return;
-  const auto table = document.table("water");
-  GroundWater& water = scene.water.emplace();
-  water.fluid = {.density = table.number("density"),
-                 .bulk_modulus = table.number("bulk_modulus"),
-                 .cavitation_pressure = table.number("cavitation_pressure")};
+GroundWater read_levels(const TableReader& table, Findings& findings) {
+  GroundWater water;
   if (table.boolean("seepage"))
     water.seepage = {table.number("left"), table.number("right")};
   else if (table.given("line"))
@@ -108,6 +102,61 @@ void read_water(Document& document, Findings& findings, Case& scene) {
     water.level = water.beside(Side::left);
   rest_if_level(water);
   refuse_two_tables(table, findings);
+  return water;
+}
+
+namespace {
+
+/// A load that water has time to leave comes after a change of the water that it has not.
+void refuse_drained_loads(const Case& scene, std::size_t first, std::size_t end, Findings& findings) {
+  for (std::size_t l = first; l < end; ++l)
+    if (const LoadStage& load = scene.loads[l]; !load.undrained)
+      findings.add(load.path + ".drainage",
+                   fmt::format("the load '{}' is drained, and soil above the water has not drained since an "
+                               "undrained stage before it: make the load undrained too, or let a drained "
+                               "stage of kind \"water\" or \"construction\" come between",
+                               load.name));
+}
+
+/// Follows the water through the stages.
+void follow_stages(Case& scene, Findings& findings) {
+  for (std::size_t c = 0; c < scene.constructions.size(); ++c) {
+    ConstructionStage& stage = scene.constructions[c];
+    stage.before.water = scene.water;
+    stage.before.still_wet = scene.still_wet;
+    if (!stage.undrained)
+      scene.still_wet.clear();
+    else if (stage.water)
+      scene.still_wet.push_back(*scene.water);
+    if (stage.water) {
+      const materials::PoreFluid fluid = scene.water->fluid;
+      scene.water = stage.water;
+      scene.water->fluid = fluid;
+    }
+    const std::size_t end =
+        c + 1 < scene.constructions.size() ? scene.constructions[c + 1].loads_before : scene.loads.size();
+    if (!scene.still_wet.empty())
+      refuse_drained_loads(scene, stage.loads_before, end, findings);
+  }
+}
+
+} // namespace
+
+void read_water(Document& document, Findings& findings, Case& scene) {
+  if (!document.has("water")) {
+    for (const ConstructionStage& stage : scene.constructions)
+      if (stage.water)
+        findings.add(stage.path + ".kind",
+                     "a stage of kind \"water\" changes [water], which the case does not "
+                     "have: add it");
+    return;
+  }
+  const auto table = document.table("water");
+  scene.water = read_levels(table, findings);
+  scene.water->fluid = {.density = table.number("density"),
+                        .bulk_modulus = table.number("bulk_modulus"),
+                        .cavitation_pressure = table.number("cavitation_pressure")};
+  follow_stages(scene, findings);
 }
 
 std::optional<materials::PoreSpace> read_pores(TableReader& table, const std::optional<GroundWater>& water,

@@ -6,7 +6,10 @@
 
 namespace tremolo::scene {
 
-/// [water]; before the soils.
+/// Where the water is, of [water] or of a stage that changes it; it has no fluid yet.
+GroundWater read_levels(const TableReader& table, Findings& findings);
+/// [water], as it is while the ground is shaken, and what it is until each construction; after the stages and
+/// before the soils.
 void read_water(Document& document, Findings& findings, Case& scene);
 
 /// The pores of a soil from its keys, or from what its law says of them. Gives the soil's table the density

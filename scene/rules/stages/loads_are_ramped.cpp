@@ -21,7 +21,7 @@ void loads_are_ramped(const Case& scene, Findings& findings) {
   for (const LoadStage& load : scene.loads)
     look(load, "load");
   for (const ConstructionStage& construction : scene.constructions)
-    look(construction, "construction");
+    look(construction, construction.water ? "change of the water" : "construction");
 }
 
 } // namespace tremolo::scene

@@ -2,9 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tremolo::scene {
 
+namespace {
+
+/// Whether water seeps in one of the stages, for which every soil has a permeability.
+bool seeps(const Case& scene) {
+  const auto flows = [](const std::optional<GroundWater>& water) { return water && water->seepage; };
+  return flows(scene.water) || std::ranges::any_of(scene.constructions, [&](const ConstructionStage& stage) {
+           return flows(stage.before.water);
+         });
+}
+
+} // namespace
+
 void drained_soil_needs_no_permeability(const Case& scene, Findings& findings) {
+  if (seeps(scene))
+    return;
   for (const Soil& soil : scene.soils)
     if (soil.pores && soil.pores->permeability > 0.0 && soil.pores->drainage != materials::Drainage::coupled)
       findings.add(

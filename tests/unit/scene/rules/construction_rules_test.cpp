@@ -124,6 +124,50 @@ TEST(Rules, ConstructionsSpareLoads) {
   EXPECT_THAT(errors_of(built(dig + load)), Contains(HasSubstr("reaches over a wall")));
 }
 
+/// The flat case with pores, water at -2 m, and stages that change it.
+std::string with_water(const std::string& stages) {
+  std::string text = with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n" + stages + "[[stage]]");
+  text = with("poisson = 0.28\n[[region]]", "poisson = 0.28\nporosity = 0.4\npermeability = 1e-4\n[[region]]",
+              text);
+  text = with("[soil.sand]\nmodel = \"linear_elastic\"\ndensity = 1700.0",
+              "[soil.sand]\nmodel = \"linear_elastic\"", text);
+  return text + "[water]\nlevel = -2.0\n";
+}
+
+std::string falls(const std::string& name, const std::string& keys) {
+  return "[[stage]]\nkind = \"water\"\nname = \"" + name + "\"\n" + keys + "\n";
+}
+
+TEST(Stages, ChangeTheWater) {
+  const Case scene = parse_case(with_water(falls("low", "level = -6.0") + falls("back", "level = -3.0")));
+  EXPECT_EQ(scene.water->level, -3.0);
+  EXPECT_TRUE(scene.still_wet.empty());
+  ASSERT_EQ(scene.constructions.size(), 2u);
+  EXPECT_EQ(scene.constructions[0].before.water->level, -2.0);
+  EXPECT_EQ(scene.constructions[1].before.water->level, -6.0);
+  EXPECT_EQ(scene.constructions[1].before.water->fluid.density, 1000.0);
+  EXPECT_THAT(stages_text(scene), HasSubstr("low                 water         water table at y = -6 m"));
+}
+
+TEST(Stages, ThatLetWaterFallFastLeaveSoilWet) {
+  const Case fast = parse_case(with_water(falls("low", "level = -6.0\ndrainage = \"undrained\"")));
+  ASSERT_EQ(fast.still_wet.size(), 1u);
+  EXPECT_EQ(fast.still_wet.front().level, -2.0);
+  const Case drained = parse_case(
+      with_water(falls("low", "level = -6.0\ndrainage = \"undrained\"") + falls("later", "level = -6.0")));
+  EXPECT_TRUE(drained.still_wet.empty());
+  EXPECT_EQ(drained.constructions[1].before.still_wet.size(), 1u);
+}
+
+TEST(Stages, ThatChangeTheWaterNeedSome) {
+  EXPECT_THAT(errors_of(built(falls("low", "level = -6.0"))),
+              Contains(HasSubstr("changes [water], which the case does not have")));
+  EXPECT_THAT(errors_of(with_water(falls("low", ""))), Contains(HasSubstr("missing 'level'")));
+  EXPECT_THAT(errors_of(with_water(falls("low", "level = -6.0\ndrainage = \"undrained\"") +
+                                   "[[stage]]\nkind = \"load\"\nx_m = [8.0, 12.0]\npressure_pa = 1e3\n")),
+              Contains(HasSubstr("the load 'load' is drained, and soil above the water has not drained")));
+}
+
 TEST(Rules, LoadsActBesideStructures) {
   const auto load = [](const std::string& ends) {
     return "[[stage]]\nkind = \"load\"\nx_m = " + ends + "\npressure_pa = 1e3\n";

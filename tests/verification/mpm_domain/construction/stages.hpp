@@ -5,6 +5,7 @@
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "tests/support/box_run.hpp"
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,10 +34,13 @@ inline Spec level_ground(double width, double depth, double top, double h) {
 
 /// A construction stage before which the model had these regions and structures.
 inline StaticStage construction(std::vector<Region> before, double residual, double ramp = 2.0,
-                                bool undrained = false, std::vector<Structure> structures = {}) {
+                                bool undrained = false, std::vector<Structure> structures = {},
+                                std::optional<GroundWater> water = {}) {
   return ConstructionSettings{{.ramp = ramp, .residual = residual, .max_time = 60.0, .undrained = undrained},
                               std::move(before),
-                              std::move(structures)};
+                              std::move(structures),
+                              water,
+                              {}};
 }
 
 inline Reactions rest(Domain& domain, std::span<const StaticStage> stages, double residual) {
