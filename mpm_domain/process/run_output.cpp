@@ -28,8 +28,7 @@ results::RunDescription description(const scene::Case& scene, const std::string&
 }
 
 bool wants(const scene::Case& scene, scene::OutputField field) {
-  return std::find(scene.output.fields.begin(), scene.output.fields.end(), field) !=
-         scene.output.fields.end();
+  return std::ranges::find(scene.output.fields, field) != scene.output.fields.end();
 }
 
 /// Fields of one's own are written whenever there are any.
@@ -253,10 +252,8 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
 
   std::vector<std::string> columns{"time"};
   std::vector<std::string> units{"s"};
-  for (const std::string_view column : energy_columns) {
-    columns.emplace_back(column);
-    units.emplace_back("J/m");
-  }
+  columns.insert(columns.end(), energy_columns.begin(), energy_columns.end());
+  units.resize(columns.size(), "J/m");
   energy_ = &writer_.add_series("/energy", columns, units);
   if (domain.spec.rigid_base)
     table_ = &add_history(writer_, table_path, table_columns);
