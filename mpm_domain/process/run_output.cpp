@@ -1,5 +1,6 @@
 #include "mpm_domain/process/run_output.hpp"
 
+#include "mpm_domain/head/phreatic_line.hpp"
 #include "mpm_domain/process/add_history.hpp"
 #include "results/run_checksums.hpp"
 #include "results/stored_fields.hpp"
@@ -27,8 +28,7 @@ results::RunDescription description(const scene::Case& scene, const std::string&
 }
 
 bool wants(const scene::Case& scene, scene::OutputField field) {
-  return std::find(scene.output.fields.begin(), scene.output.fields.end(), field) !=
-         scene.output.fields.end();
+  return std::ranges::find(scene.output.fields, field) != scene.output.fields.end();
 }
 
 /// Fields of one's own are written whenever there are any.
@@ -66,25 +66,6 @@ struct WaterField {
   std::size_t components;
   std::span<const double> values;
 };
-
-/// x and y of places on the phreatic surface and on free water, from left to right, m.
-std::vector<double> phreatic_line(const Domain& domain) {
-  const Box& box = domain.spec.box;
-  const GroundWater& water = *domain.spec.water;
-  double highest = water.level;
-  if (water.seepage)
-    highest = std::max(water.seepage->left, water.seepage->right);
-  for (const Vector& corner : water.line)
-    highest = std::max(highest, corner.y);
-  const auto places = static_cast<std::size_t>(std::lround((box.x_max - box.x_min) / domain.spec.cell_size));
-  std::vector<double> line;
-  for (std::size_t i = 0; i <= places; ++i) {
-    const double x = std::lerp(box.x_min, box.x_max, static_cast<double>(i) / static_cast<double>(places));
-    line.push_back(x);
-    line.push_back(domain.head->surface(x, box.y_min, highest));
-  }
-  return line;
-}
 
 void add_water(WaterFrame& frame, const Particles& set, std::size_t k, double speed_of_time) {
   const WaterState state = water_state(set, k);
@@ -267,14 +248,12 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
   if (domain.head && domain.head->level() != nullptr)
     writer_.attribute("water_table", *domain.head->level());
   else if (domain.head)
-    writer_.attribute("phreatic_line", phreatic_line(domain));
+    writer_.attribute("phreatic_line", phreatic_line(domain.spec, *domain.head));
 
   std::vector<std::string> columns{"time"};
   std::vector<std::string> units{"s"};
-  for (const std::string_view column : energy_columns) {
-    columns.emplace_back(column);
-    units.emplace_back("J/m");
-  }
+  columns.insert(columns.end(), energy_columns.begin(), energy_columns.end());
+  units.resize(columns.size(), "J/m");
   energy_ = &writer_.add_series("/energy", columns, units);
   if (domain.spec.rigid_base)
     table_ = &add_history(writer_, table_path, table_columns);

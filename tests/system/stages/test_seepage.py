@@ -104,14 +104,14 @@ class Seepage(unittest.TestCase):
             ("seepage = true\nleft = 5.0\nright = 1.0", "would meet over the ground, which rises to y = 4 m"),
             ("seepage = true\nleft = 3.0\nright = -5.0", "'right' = -5 m does not lie above the base"),
         ):
-            self.assertIn(words, self.said("check", water, code=1))
+            self.assertIn(words, self.said("check", water, code=2))
 
     def test_the_ground_rests_with_the_flow(self):
         with LeveeWorkspace(TREMOLO) as work:
             run = Run(work.run("seeping") / "run.h5")
         x, y = np.reshape(run.attribute("phreatic_line"), (-1, 2)).T
         self.assertAlmostEqual(3.0, y[0], places=6)
-        self.assertAlmostEqual(-0.5, y[-1], delta=0.05)
+        self.assertAlmostEqual(-0.5, y[-1], delta=0.1)
         self.assertTrue((np.diff(y) < 1e-9).all(), y)
         # The free water of 3 m stands on the ground at the left: p = gamma (3 - y), with no excess.
         places, pressure = run.field(0, "position"), run.field(0, "pore_pressure")

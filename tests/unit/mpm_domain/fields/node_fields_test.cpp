@@ -24,7 +24,7 @@ double number(std::size_t line, std::size_t node) {
 }
 
 void fill_with_numbers(Grid& grid) {
-  grid.traits = {.wet = true, .flowing = true, .sharp = true};
+  grid.traits = {.wet = true, .flowing = true, .sharp = true, .seeping = true};
   resize_fields(grid, grid.size());
   for (std::size_t line = 0; line < node_field_table.size(); ++line)
     for (std::size_t n = 0; n < grid.size(); ++n)
@@ -52,7 +52,7 @@ TEST(NodeFieldTable, HasEveryFieldOnce) {
 
 TEST(NodeFieldTable, ResizingMakesEveryFieldZero) {
   Grid grid;
-  grid.traits = {.wet = true, .flowing = true, .sharp = true};
+  grid.traits = {.wet = true, .flowing = true, .sharp = true, .seeping = true};
   for (const NodeFieldDescription& line : node_field_table)
     (grid.*line.field).assign(3, 1.0);
   resize_fields(grid, 7);
@@ -68,7 +68,7 @@ TEST(NodeFieldTable, DryNodesHaveNoWater) {
     EXPECT_EQ((grid.*line.field).size(), trait_of(line.group) == NodeTrait::always ? 7U : 0U) << line.name;
   EXPECT_GT(bytes_per_node({.wet = true, .flowing = false}), bytes_per_node());
   EXPECT_GT(bytes_per_node({.wet = true, .flowing = true}), bytes_per_node({.wet = true, .flowing = false}));
-  EXPECT_EQ(bytes_per_node({.sharp = true}), bytes_per_node() + 7 * sizeof(double));
+  EXPECT_EQ(bytes_per_node({.sharp = true, .seeping = true}), bytes_per_node() + 7 * sizeof(double));
 }
 
 TEST(NodeFieldTable, ClearingTakesTheGroupsOfAPart) {
