@@ -1,5 +1,5 @@
 // The state that belongs to a stress reached elastically with G_r and B_r, e.g. by gravity, and the wave
-// speed that belongs to a stress.
+// speed and stiffness that belong to a stress.
 
 #include "materials/sand/pdmy03/pdmy03_cone.hpp"
 #include "materials/sand/pdmy03/pdmy03_state.hpp"
@@ -77,6 +77,14 @@ double p_wave_speed_bound(const Pdmy03& law, const Points& points) {
     least = std::min(least, points.sxx[i] + points.syy[i] + points.szz[i]);
   return law.elastic.p_wave_speed() *
          std::sqrt(pdmy03_modulus_factor(law, law.residual_pressure - least / 3.0));
+}
+
+void stiffness_ratios(const Pdmy03& law, const Points& points, double* ratios) {
+  by_fours(0, points.count, [&](std::size_t i, auto group) {
+    const Lanes trace = group.load(points.sxx + i) + group.load(points.syy + i) + group.load(points.szz + i);
+    const Lanes height = law.residual_pressure - smaller(trace / 3.0, Lanes{});
+    group.store(ratios + i, pdmy03_modulus_factor(law, height));
+  });
 }
 
 } // namespace tremolo::materials

@@ -84,6 +84,21 @@ double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {
   return std::sqrt((law.bulk_ratio + 4.0 / 3.0) * G / law.elastic.density);
 }
 
+void stiffness_ratios(const Pm4Sand& law, const Points& points, double* ratios) {
+  const double reference = law.elastic.shear_modulus();
+  by_fours(0, points.count, [&](std::size_t i, auto group) {
+    const auto states =
+        load_four<pm4::States>(points.state + i * pm4::state_size, pm4::state_size, group.count);
+    const MaterialAxesOf<Lanes> axes(states.angle);
+    const pm4::Stresses reported = compression(axes.to_material(
+        {group.load(points.sxx + i), group.load(points.syy + i), group.load(points.sxy + i)}));
+    const pm4::Stresses& offset = states.start.offset;
+    const pm4::Sites here = pm4::site(law, states.start, states.memory, states.now,
+                                      {reported.p - offset.p, reported.s - offset.s});
+    group.store(ratios + i, here.G / reference);
+  });
+}
+
 Traits traits(const Pm4Sand& law) {
   return {.name = "pm4sand",
           .response = Response::cyclic_mobility,
