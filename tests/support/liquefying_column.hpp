@@ -147,14 +147,13 @@ inline double apart(const LiquefactionHistory& a, const LiquefactionHistory& b, 
   return std::sqrt(squares / count);
 }
 
-/// Soil at a depth (m) below the surface, which gravity has strained elastically, with G_o p_A and nu = 1/3:
-/// the reference keeps that strain in the void ratio, PDMY03 in its state. At 10 m it is 0.2 % of D_R.
-inline Layer strained_by_gravity(Layer layer, double depth) {
-  if (auto* const sand = std::get_if<materials::Pm4Sand>(&*layer.law)) {
-    const double vertical = materials::buoyant_density(*layer.pores, {}) * 9.81 * depth; // Pa
+/// Sand that gravity has strained elastically, with G_o p_A and nu = 1/3: the reference keeps that strain in
+/// the void ratio, PDMY03 in its state. At 10 m it is 0.2 % of D_R.
+/// @param vertical  effective stress, Pa, compression positive
+inline materials::Law strained_by_gravity(materials::Law law, double vertical) {
+  if (auto* const sand = std::get_if<materials::Pm4Sand>(&law))
     sand->relative_density += sand->density_rate * vertical / (4.0 * sand->G_o * sand->p_A);
-  }
-  return layer;
+  return law;
 }
 
 /// 10 m of a saturated sand, 0.5 % of damping at 5 Hz.
@@ -168,8 +167,12 @@ inline Profile liquefying_profile(const LiquefyingSand& sand) {
   std::visit([&](auto& law) { law.elastic.density = layer.soil.density; }, *layer.law);
   layer.pores = pores;
   Profile profile{0.0, {}, materials::Elasticity::from_wave_speeds(2200.0, 760.0, 1900.0)};
-  for (double depth = 0.5 * thickness; depth < 10.0; depth += thickness)
-    profile.layers.push_back(strained_by_gravity(layer, depth));
+  const double weight = materials::buoyant_density(pores, {}) * 9.81;
+  const materials::Law unstrained = *layer.law;
+  for (double depth = 0.5 * thickness; depth < 10.0; depth += thickness) {
+    layer.law = strained_by_gravity(unstrained, weight * depth);
+    profile.layers.push_back(layer);
+  }
   profile.gravity = 9.81;
   profile.water = WaterTable{0.0, {}};
   return profile;
