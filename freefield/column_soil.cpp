@@ -112,6 +112,18 @@ void ColumnSoil::p_moduli(SoilState& state, std::vector<double>& moduli) const {
   }
 }
 
+void ColumnSoil::degraded_moduli(SoilState& state, std::vector<double>& moduli) const {
+  moduli.resize(no_strain_.size());
+  for (const Block& block : blocks_) {
+    const materials::Elasticity& elastic = materials::elasticity(block.law);
+    const double speed = elastic.p_wave_speed();
+    double* const of_block = moduli.data() + block.first;
+    materials::stiffness_ratios(block.law, points(state, block), of_block);
+    for (std::size_t i = 0; i < block.count; ++i)
+      of_block[i] *= elastic.density * speed * speed;
+  }
+}
+
 double ColumnSoil::elastic_energy(const SoilState& state, std::size_t e, double eyy) const {
   const auto block =
       std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) { return e < b.first + b.count; });

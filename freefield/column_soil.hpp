@@ -38,8 +38,12 @@ public:
   void reconsolidate();
 
   /// M of each element at its present stress, elastic, Pa; of laws whose stiffness falls with strain or
-  /// fabric that without it.
+  /// fabric that without it: what limits the step.
   void p_moduli(SoilState& state, std::vector<double>& moduli) const;
+
+  /// M of each element in its present stress and state, elastic, Pa; what strain and fabric have taken from
+  /// the stiffness is gone: what damping is in proportion to.
+  void degraded_moduli(SoilState& state, std::vector<double>& moduli) const;
 
   /// Elastic energy of an element's stress over that of the geostatic one, J/m3; the work of the geostatic
   /// stress itself, which gravity balances, is left out.

@@ -118,9 +118,9 @@ BaseDrive MarchedColumn::drive_to_next() const {
 void MarchedColumn::step() {
   rest_if_due(settings_.rest, time(), soil_, state_.grid);
   if (damped_)
-    soil_.p_moduli(state_.soil, modulus_);
+    soil_.degraded_moduli(state_.soil, degraded_);
   const BaseDrive drive = drive_to_next();
-  trial_.begin(scheme_, state_, drive, modulus_);
+  trial_.begin(scheme_, state_, drive, modulus_, degraded_);
   iteration_.converge(trial_, scheme_, state_, tangent_);
   trial_.finish(scheme_);
   for (std::size_t i = 0; i < u_.size(); ++i)

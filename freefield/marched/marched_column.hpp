@@ -93,6 +93,7 @@ private:
   MarchedIteration iteration_;
   std::vector<Eigen::Vector2d> u_; ///< of the grains, m
   std::vector<double> modulus_;    ///< M at the present stress, Pa
+  std::vector<double> degraded_;   ///< M in the present state, of damping, Pa; none without damping
   long steps_ = 0;
   bool damped_ = false;
   /// State of the base node: its bracket now, one and two steps ago, kg/(m s), and the force of its element

@@ -81,10 +81,10 @@ MarchedTrial::MarchedTrial(const ColumnSoil& soil, const MarchedState& state)
 }
 
 void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state, const BaseDrive& drive,
-                         const std::vector<double>& moduli) {
+                         const std::vector<double>& moduli, const std::vector<double>& degraded) {
   drive_ = drive;
   base_brake_ = scheme.braked(state.grid.nodes.front());
-  damped_ = false;
+  damped_ = !degraded.empty();
   for (Eigen::Index e = 0; e < share_.size(); ++e) {
     const auto k = static_cast<std::size_t>(e);
     const WetElement& element = state.grid.elements[k];
@@ -97,9 +97,10 @@ void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state,
     shear_stiff_[e] = element.shear_ratio * m;
     water_stiff_[e] = element.stiffness;
     lowest_[e] = element.stiffness > 0.0 ? element.lowest_excess : 0.0;
-    viscosity_.row(e) << element.beta * element.shear_ratio * m / element.length,
-        element.beta * m / element.length;
-    damped_ = damped_ || element.beta > 0.0;
+    if (damped_) {
+      const double viscosity = element.beta * degraded[k] / element.length;
+      viscosity_.row(e) << element.shear_ratio * viscosity, viscosity;
+    }
     const ElementStress& stress = state.stress[k];
     before_.row(e) << stress.xx, stress.yy, stress.xy, stress.pressure;
   }

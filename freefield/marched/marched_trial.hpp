@@ -16,10 +16,10 @@ public:
   MarchedTrial(const ColumnSoil& soil, const MarchedState& state);
 
   /// Begins a step from a state.
-  /// @param moduli  M of each element, Pa, for its small-strain damping and for strain that is owed to its
-  /// law
+  /// @param moduli  M of each element, Pa, for strain that is owed to its law
+  /// @param degraded  M of each element, Pa, for its small-strain damping; none without damping
   void begin(const MarchedScheme& scheme, const MarchedState& state, const BaseDrive& drive,
-             const std::vector<double>& moduli);
+             const std::vector<double>& moduli, const std::vector<double>& degraded);
 
   /// Moves the nodes by increments of stress.
   void move(const MarchedScheme& scheme, const Increments& increment);

@@ -4,8 +4,8 @@
 //     (1-n) rho_s a_s + n rho_f a_f = d(sigma' - p)/dy,    rho_f a_f,y = -dp/dy - (n rho_f g/k) w_y,
 //     dp/dt = -(K_f/n) d(v_s + n w)/dy,                    rho_f a_f,x = -(n rho_f g/k) w_x,
 //
-// sigma' = (sxy, syy) from the law, and beta C(sigma') d eps/dt of damping, C elastic at the present stress.
-// With linear velocities and p constant in an element the second line is the dual of the first: w n, the
+// sigma' = (sxy, syy) from the law, and beta C d eps/dt of damping, C elastic in the present state of the
+// law. With linear velocities and p constant in an element the second line is the dual of the first: w n, the
 // flux, is what is continuous, and nothing flows at rest whatever n and k do. Central differences: from t to
 // t + dt
 //
@@ -106,12 +106,16 @@ void TwoPhaseColumn::strain_soil() {
   syy_before_ = state_.syy;
   soil_.update(state_, deyy_, dgxy_);
   if (damped_)
-    soil_.p_moduli(state_, modulus_);
+    soil_.degraded_moduli(state_, degraded_);
   for (std::size_t e = 0; e < deyy_.size(); ++e) {
     const WetElement& element = grid_.elements[e];
-    const double viscosity = element.beta * modulus_[e] / dt;
-    const double shear = soil_.shear(state_, e) + viscosity * element.shear_ratio * dgxy_[e];
-    const double vertical = soil_.vertical(state_, e) + viscosity * deyy_[e];
+    double shear = soil_.shear(state_, e);
+    double vertical = soil_.vertical(state_, e);
+    if (damped_) {
+      const double viscosity = element.beta * degraded_[e] / dt;
+      shear += viscosity * element.shear_ratio * dgxy_[e];
+      vertical += viscosity * deyy_[e];
+    }
     count_strain(e, shear, vertical);
     shear_[e] = shear;
     vertical_[e] = vertical;

@@ -90,6 +90,7 @@ private:
   std::vector<double> excess_;                ///< pore pressure at the centres, below cavitation too, Pa
   std::vector<double> deyy_, dgxy_;           ///< strain of the step
   std::vector<double> modulus_;               ///< M at the present stress, Pa
+  std::vector<double> degraded_;              ///< M in the present state, of damping, Pa
   std::vector<double> shear_, vertical_, pressure_; ///< at the centres, damping included, Pa
   std::vector<double> sxy_before_, syy_before_;     ///< of the soil a step ago, Pa
   std::vector<double> lengths_;                     ///< of the elements, m

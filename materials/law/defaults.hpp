@@ -16,6 +16,7 @@
 #include "materials/law/points.hpp"
 #include "materials/law/strength_line.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -30,6 +31,11 @@ void initialise(const L& /*law*/, const Points& /*points*/) {}
 template <class L>
 double p_wave_speed_bound(const L& law, const Points& /*points*/) {
   return law.elastic.p_wave_speed();
+}
+
+template <class L>
+void stiffness_ratios(const L& /*law*/, const Points& points, double* ratios) {
+  std::fill_n(ratios, points.count, 1.0);
 }
 
 template <class L>

@@ -73,6 +73,11 @@ double p_wave_speed_bound(const Law& law, const Points& points) {
   return std::visit([&](const auto& one) { return p_wave_speed_bound(one, points); }, law);
 }
 
+void stiffness_ratios(const Law& law, const Points& points, double* ratios) {
+  using defaults::stiffness_ratios;
+  std::visit([&](const auto& one) { stiffness_ratios(one, points, ratios); }, law);
+}
+
 std::vector<ParameterValue> parameters(const Law& law) {
   return std::visit([](const auto& one) { return parameters(one); }, law);
 }

@@ -64,6 +64,10 @@ Law with_rest_coefficient(Law law, double coefficient);
 /// for flow that is not associated is the usual bound, not a proven one.
 double p_wave_speed_bound(const Law& law, const Points& points);
 
+/// The elastic stiffness of each point in its present stress and state over that of elasticity(law), 1.
+/// Poisson's ratio is a parameter, so one number stands for all moduli.
+void stiffness_ratios(const Law& law, const Points& points, double* ratios);
+
 /// Every parameter in force and where its value comes from.
 std::vector<ParameterValue> parameters(const Law& law);
 

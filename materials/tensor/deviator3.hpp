@@ -5,67 +5,90 @@
 //
 //     a = (xx - yy)/sqrt 2,    b = sqrt(3/2) (zz - mean),    c = sqrt 2 xy,
 //
-// so that a contraction s:t is a dot product and trace-freeness holds by construction.
+// so that a contraction s:t is a dot product and trace-freeness holds by construction. Real is double for one
+// point, or Lanes for four.
+
+#include "base/lanes.hpp"
 
 #include <cmath>
 
 namespace tremolo::materials {
 
+using tremolo::choose; // beside that of deviators
+
 /// A deviatoric tensor in three dimensions.
-struct Deviator3 {
-  double a = 0.0;
-  double b = 0.0;
-  double c = 0.0;
+template <typename Real>
+struct Deviator3Of {
+  Real a{};
+  Real b{};
+  Real c{};
 
   /// The tensor component xy.
-  double xy() const { return c * std::sqrt(0.5); }
+  Real xy() const { return c * std::sqrt(0.5); }
 };
+using Deviator3 = Deviator3Of<double>;
 
-inline Deviator3 operator+(const Deviator3& l, const Deviator3& r) {
+template <typename Real>
+Deviator3Of<Real> operator+(const Deviator3Of<Real>& l, const Deviator3Of<Real>& r) {
   return {l.a + r.a, l.b + r.b, l.c + r.c};
 }
-inline Deviator3 operator-(const Deviator3& l, const Deviator3& r) {
+template <typename Real>
+Deviator3Of<Real> operator-(const Deviator3Of<Real>& l, const Deviator3Of<Real>& r) {
   return {l.a - r.a, l.b - r.b, l.c - r.c};
 }
-inline Deviator3 operator*(double x, const Deviator3& d) {
+template <typename Factor, typename Real>
+Deviator3Of<Real> operator*(const Factor& x, const Deviator3Of<Real>& d) {
   return {x * d.a, x * d.b, x * d.c};
 }
 
+/// l where a mask holds, r elsewhere.
+template <typename Mask, typename Real>
+Deviator3Of<Real> choose(const Mask& mask, const Deviator3Of<Real>& l, const Deviator3Of<Real>& r) {
+  return {choose(mask, l.a, r.a), choose(mask, l.b, r.b), choose(mask, l.c, r.c)};
+}
+
 /// l : r
-inline double dot(const Deviator3& l, const Deviator3& r) {
+template <typename Real>
+Real dot(const Deviator3Of<Real>& l, const Deviator3Of<Real>& r) {
   return l.a * r.a + l.b * r.b + l.c * r.c;
 }
 
 /// sqrt(d : d)
-inline double norm(const Deviator3& d) {
-  return std::sqrt(dot(d, d));
+template <typename Real>
+Real norm(const Deviator3Of<Real>& d) {
+  return sqrt(dot(d, d));
 }
 
 /// A symmetric tensor: a third of its trace, and its deviator.
-struct MeanAndDeviator {
-  double mean = 0.0;
-  Deviator3 deviator;
+template <typename Real>
+struct MeanAndDeviatorOf {
+  Real mean{};
+  Deviator3Of<Real> deviator;
 };
+using MeanAndDeviator = MeanAndDeviatorOf<double>;
 
 /// The split of a tensor given by its components; xy is the tensor component.
-inline MeanAndDeviator split(double xx, double yy, double zz, double xy) {
-  const double mean = (xx + yy + zz) / 3.0;
+template <typename Real>
+MeanAndDeviatorOf<Real> split(const Real& xx, const Real& yy, const Real& zz, const Real& xy) {
+  const Real mean = (xx + yy + zz) / 3.0;
   return {mean, {(xx - yy) * std::sqrt(0.5), (zz - mean) * std::sqrt(1.5), xy * std::sqrt(2.0)}};
 }
 
 /// Components of a tensor; xy is the tensor component.
-struct TensorComponents {
-  double xx = 0.0;
-  double yy = 0.0;
-  double zz = 0.0;
-  double xy = 0.0;
+template <typename Real>
+struct TensorComponentsOf {
+  Real xx{};
+  Real yy{};
+  Real zz{};
+  Real xy{};
 };
 
 /// The inverse of split().
-inline TensorComponents components(const MeanAndDeviator& t) {
-  const double zz = t.deviator.b * std::sqrt(2.0 / 3.0);
-  const double half_difference = t.deviator.a * std::sqrt(0.5);
-  const double middle = t.mean - 0.5 * zz;
+template <typename Real>
+TensorComponentsOf<Real> components(const MeanAndDeviatorOf<Real>& t) {
+  const Real zz = t.deviator.b * std::sqrt(2.0 / 3.0);
+  const Real half_difference = t.deviator.a * std::sqrt(0.5);
+  const Real middle = t.mean - 0.5 * zz;
   return {middle + half_difference, middle - half_difference, t.mean + zz, t.deviator.xy()};
 }
 

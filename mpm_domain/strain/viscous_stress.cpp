@@ -1,19 +1,17 @@
 #include "mpm_domain/strain/viscous_stress.hpp"
 
-#include <cmath>
+#include <array>
 
 namespace tremolo::mpm_domain {
 
 namespace {
 
-/// The elastic tangent of each of a group's particles over elasticity(law): with Poisson's ratio given, one
-/// factor, that of c_p^2.
+/// The elastic tangent of each of a group's particles over elasticity(law).
 template <typename Group>
-Lanes tangent_factor(Particles& p, std::size_t k, Group group, double p_wave_speed) {
-  Lanes factor{};
-  for (std::size_t lane = 0; lane < group.count; ++lane)
-    factor[lane] = std::pow(materials::p_wave_speed_bound(p.law, p.points(k + lane, 1)) / p_wave_speed, 2);
-  return factor;
+Lanes tangent_factor(Particles& p, std::size_t k, Group group) {
+  std::array<double, 4> ratios{};
+  materials::stiffness_ratios(p.law, p.points(k, group.count), ratios.data());
+  return load(ratios.data());
 }
 
 } // namespace
@@ -38,7 +36,7 @@ double damp(Particles& p, const ParticleRange& range, const StrainIncrements& se
     };
     const Lanes volume = group.load(&p.volume[k]);
     work += 0.5 * volume * power();
-    const Lanes factor = follows_pressure ? tangent_factor(p, k, group, elastic.p_wave_speed()) : all(1.0);
+    const Lanes factor = follows_pressure ? tangent_factor(p, k, group) : all(1.0);
     const Lanes seen_xx = group.load(&seen.exx[c]);
     const Lanes seen_yy = group.load(&seen.eyy[c]);
     group.store(&p.viscous_xx[k], factor * (along * seen_xx + across * seen_yy));

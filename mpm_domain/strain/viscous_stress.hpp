@@ -4,13 +4,15 @@
 //
 //     sigma_v = beta D_e : d eps/dt,
 //
-// D_e being the law's elastic tangent. A wave of angular frequency w then loses the fraction xi = beta w/2 of
+// D_e being the law's elastic tangent in its present state, which for sand falls with pressure, stress ratio
+// and fabric. A wave of angular frequency w then loses the fraction xi = beta w/2 of
 // critical damping, S and P alike (Kelvin and Voigt; Chopra 2012, Dynamics of Structures, 4th ed., sec. 11.4:
 // damping in proportion to stiffness). Columns do the same (freefield/profile.hpp).
 //
 // Strain increments belong to the middle of a step, and so does the stress that follows from them; forces
 // take it at the end of the step. This lag of dt/2 changes frequencies by the fraction xi w dt/2 and the
-// damping by xi w dt, and it limits the step (spec/limits.hpp).
+// damping by xi w dt, and it limits the step (spec/limits.hpp), by the stiffness that sand would have without
+// what stress ratio and fabric take from it.
 
 #include "mpm_domain/kernel/lanes.hpp"
 #include "mpm_domain/particles/particles.hpp"

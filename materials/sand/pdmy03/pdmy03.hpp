@@ -159,6 +159,9 @@ std::span<const StateVariable> state_variables(const Pdmy03& law);
 /// the usual bound, not a proven one, and dilation can raise it several times within a few cycles.
 double p_wave_speed_bound(const Pdmy03& law, const Points& points);
 
+/// F of each point, ((p' + p_res)/(p_r + p_res))^d.
+void stiffness_ratios(const Pdmy03& law, const Points& points, double* ratios);
+
 /// Every value in force, with unit, meaning and origin.
 std::vector<ParameterValue> parameters(const Pdmy03& law);
 

@@ -11,7 +11,6 @@ struct Table {
   std::vector<StateVariable> variables;
 
   Table() {
-    using Place = pdmy03_state::Place;
     constexpr std::size_t size = pdmy03_state_size(most_pdmy03_surfaces);
     names.reserve(size);
     variables = {
@@ -35,8 +34,8 @@ struct Table {
     names3("zone_centre", "1", "strain deviator at the centre of the perfectly plastic zone");
     names3("zone_direction", "1", "strain increment with which dilation last began");
     names3("active_centre", "1", "centre of the active surface over distance from the apex");
-    for (std::size_t i = Place::centres; i < size; ++i) {
-      names.push_back(fmt::format("centres_{:02}", i - Place::centres + 1));
+    for (std::size_t i = pdmy03_fixed_size; i < size; ++i) {
+      names.push_back(fmt::format("centres_{:02}", i - pdmy03_fixed_size + 1));
       variables.push_back(
           {names.back(), "1", "two single-precision components of the centres of surfaces", 0.0, true});
     }

@@ -11,43 +11,47 @@
 #include "materials/tensor/deviator3.hpp"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstring>
 
 namespace tremolo::materials {
 
-/// Places in the state block.
-namespace pdmy03_state {
-enum Place : std::size_t {
-  rotation,
-  active_surface,
-  zone,
-  zone_size,
-  dilation,
-  dilation_total,
-  zone_translation,
-  damage,
-  largest_pressure,
-  gap,
-  volume_strain,
-  initial_height,
-  initial_shear_ratio,
-  strain,
-  pivot = strain + 3,
-  zone_centre = pivot + 3,
-  pivot_direction = zone_centre + 3,
-  active_centre = pivot_direction + 3,
-  centres = active_centre + 3
+/// What a block begins with, in the order of state_variables(const Pdmy03&). Real is double for one point, or
+/// Lanes for four.
+template <typename Real>
+struct Pdmy03StateOf {
+  Real rotation{};         ///< of the material since the start, rad
+  Real active_surface{};   ///< 0 inside all of them
+  Real zone{};             ///< pdmy03_zone
+  Real zone_size{};        ///< octahedral strain
+  Real dilation{};         ///< gamma_d
+  Real dilation_total{};   ///< eps_c
+  Real zone_translation{}; ///< octahedral strain
+  Real damage{};           ///< when dilation began
+  Real largest_pressure{}; ///< Pa
+  Real gap{};              ///< volumetric expansion beyond zero effective stress
+  Real volume_strain{};
+  Real initial_height{}; ///< H_0, Pa
+  Real initial_shear_ratio{};
+  Deviator3Of<Real> strain;
+  Deviator3Of<Real> pivot;           ///< strain where dilation was last in progress
+  Deviator3Of<Real> zone_centre;     ///< strain
+  Deviator3Of<Real> pivot_direction; ///< strain increment with which dilation last began
+  Deviator3Of<Real> active_centre;
 };
-} // namespace pdmy03_state
+using Pdmy03State = Pdmy03StateOf<double>;
 
-/// Whether shear strain is inside the perfectly plastic zone, as the state block says it.
+/// Whether shear strain is inside the perfectly plastic zone, as the state says it.
 namespace pdmy03_zone {
 inline constexpr double never_reached = -1.0; ///< the phase transformation line
 inline constexpr double left_dilation = 0.0;  ///< contracting after having dilated
 inline constexpr double inside = 1.0;         ///< perfectly plastic
 inline constexpr double dilating = 2.0;       ///< beyond it
 } // namespace pdmy03_zone
+
+/// Doubles of the state; the centres of resting surfaces come behind them.
+inline constexpr std::size_t pdmy03_fixed_size = sizeof(Pdmy03State) / sizeof(double);
 
 /// Doubles that the centres of surfaces 1 to N-1 take.
 constexpr std::size_t packed_centres(std::size_t surfaces) {
@@ -56,45 +60,45 @@ constexpr std::size_t packed_centres(std::size_t surfaces) {
 
 /// Length of the state block.
 constexpr std::size_t pdmy03_state_size(std::size_t surfaces) {
-  return pdmy03_state::centres + packed_centres(surfaces);
+  return pdmy03_fixed_size + packed_centres(surfaces);
 }
 
-/// A view of one state block; constant as a view, not in what it views.
-class Pdmy03Memory {
+inline Pdmy03State load_pdmy03(const double* block) {
+  std::array<double, pdmy03_fixed_size> values;
+  std::memcpy(values.data(), block, sizeof values);
+  return std::bit_cast<Pdmy03State>(values);
+}
+
+inline void store(const Pdmy03State& state, double* block) {
+  std::memcpy(block, &state, sizeof state);
+}
+
+/// The centres of surfaces as they were left when last touched, in one block; constant as a view, not in what
+/// it views.
+class RestingCentres {
 public:
-  explicit Pdmy03Memory(double* block) : block_(block) {}
+  RestingCentres(double* block, std::size_t surfaces)
+      : first_(reinterpret_cast<unsigned char*>(block + pdmy03_fixed_size)), surfaces_(surfaces) {}
 
-  double& operator[](pdmy03_state::Place place) const { return block_[place]; }
-
-  Deviator3 deviator(pdmy03_state::Place place) const {
-    return {block_[place], block_[place + 1], block_[place + 2]};
-  }
-  void set(pdmy03_state::Place place, const Deviator3& value) const {
-    block_[place] = value.a;
-    block_[place + 1] = value.b;
-    block_[place + 2] = value.c;
-  }
-
-  /// Centre of surface i of n as it was left when the surface was last touched; zero for the failure surface.
-  Deviator3 resting_centre(std::size_t i, std::size_t n) const {
-    if (i >= n)
+  /// Of surface i, from 1; zero for the failure surface.
+  Deviator3 operator[](std::size_t i) const {
+    if (i >= surfaces_)
       return {};
     std::array<float, 3> packed{};
-    std::memcpy(packed.data(), floats(i), sizeof packed);
+    std::memcpy(packed.data(), place(i), sizeof packed);
     return {packed[0], packed[1], packed[2]};
   }
-  void rest_centre(std::size_t i, const Deviator3& centre) const {
+  void set(std::size_t i, const Deviator3& centre) const {
     const std::array<float, 3> packed = {static_cast<float>(centre.a), static_cast<float>(centre.b),
                                          static_cast<float>(centre.c)};
-    std::memcpy(floats(i), packed.data(), sizeof packed);
+    std::memcpy(place(i), packed.data(), sizeof packed);
   }
 
 private:
-  unsigned char* floats(std::size_t i) const {
-    return reinterpret_cast<unsigned char*>(block_ + pdmy03_state::centres) + 3 * (i - 1) * sizeof(float);
-  }
+  unsigned char* place(std::size_t i) const { return first_ + 3 * (i - 1) * sizeof(float); }
 
-  double* block_;
+  unsigned char* first_;
+  std::size_t surfaces_;
 };
 
 } // namespace tremolo::materials

@@ -4,17 +4,17 @@
 // p_res.
 
 #include "materials/sand/pdmy03/pdmy03.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "materials/tensor/elementary.hpp"
 
 namespace tremolo::materials {
 
-/// F at a distance H from the apex, Pa.
-inline double pdmy03_modulus_factor(const Pdmy03& law, double height) {
-  const double relative = height / (law.reference_pressure + law.residual_pressure);
+/// F at a distance H from the apex, Pa. Real is double, or Lanes for four points.
+template <typename Real>
+Real pdmy03_modulus_factor(const Pdmy03& law, const Real& height) {
+  const Real relative = height / (law.reference_pressure + law.residual_pressure);
   const double d = law.pressure_exponent;
-  return std::max(1e-10, d == 0.5 ? std::sqrt(relative) : std::pow(relative, d));
+  const Real power = d == 0.5 ? sqrt(relative) : elementary::pow(relative, d);
+  return larger(constant<Real>(1e-10), power);
 }
 
 } // namespace tremolo::materials

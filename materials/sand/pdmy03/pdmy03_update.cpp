@@ -1,280 +1,299 @@
-// One step of one point: elastic trial, reversal, and where the trial leaves the elastic core, parts of about
-// 1e-5 strain. Each part is corrected along the normal at the contact point, where the line from the axis of
-// the active surface to the trial stress meets it, and may cross several surfaces:
+// One step of four points: elastic trial, reversal, and where the trial leaves the elastic core, parts of
+// about 1e-5 strain. Each part is corrected along the normal at the contact point, where the line from the
+// axis of the active surface to the trial stress meets it, and may cross several surfaces:
 //
 //     L = Q:(sigma_trial - sigma_contact)/A,    A = 2 G Q':Q' + 9 B Q'' P'' + H',
 //     s <- s_trial - 2 G L Q',    sigma_m <- sigma_m,trial - 3 B P'' L.
 //
 // Effective stress is never tensile; expansion beyond zero is remembered as a gap that must close first.
+// Points have parts of their own; those that have none left, or have crossed no further surface, wait for the
+// others.
 
 #include "materials/law/finite_input.hpp"
+#include "materials/law/four_points.hpp"
 #include "materials/law/strain_limit.hpp"
-#include "materials/sand/pdmy03/pdmy03_cone.hpp"
+#include "materials/sand/pdmy03/pdmy03_active.hpp"
 #include "materials/sand/pdmy03/pdmy03_flow.hpp"
-#include "materials/sand/pdmy03/pdmy03_state.hpp"
 #include "materials/sand/pdmy03/pdmy03_stiffness.hpp"
-#include "materials/tensor/material_axes.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tremolo::materials {
 namespace {
 
-using Place = pdmy03_state::Place;
+using MeanAndDeviators = MeanAndDeviatorOf<Lanes>;
 
 /// Mean effective stress (Pa, never positive) and gap.
 struct MeanStress {
-  double stress = 0.0;
-  double gap = 0.0;
+  Lanes stress;
+  Lanes gap;
 };
+
+MeanStress choose(const LaneMask& mask, const MeanStress& a, const MeanStress& b) {
+  return {tremolo::choose(mask, a.stress, b.stress), tremolo::choose(mask, a.gap, b.gap)};
+}
+using tremolo::materials::choose;
 
 /// Elastic change of the mean stress by a volumetric strain: a gap closes first, and opens instead of
 /// tension.
-MeanStress strained(const MeanStress& from, double bulk, double volume) {
-  if (from.gap > 0.0) {
-    const double left = from.gap + volume;
-    return left >= 0.0 ? MeanStress{0.0, left} : MeanStress{std::min(0.0, from.stress + bulk * left), 0.0};
-  }
-  const double stress = from.stress + bulk * volume;
-  return stress > 0.0 ? MeanStress{0.0, stress / bulk} : MeanStress{stress, 0.0};
+MeanStress strained(const MeanStress& from, const Lanes& bulk, const Lanes& volume) {
+  const Lanes stress = from.stress + bulk * volume;
+  const LaneMask apart = from.gap > 0.0;
+  const LaneMask opens = ~apart & (stress > 0.0);
+  if (!any(apart | opens))
+    return {stress, from.gap};
+  const Lanes left = from.gap + volume;
+  const MeanStress together = {smaller(stress, Lanes{}), choose(opens, stress / bulk, Lanes{})};
+  const MeanStress closed = {smaller(from.stress + bulk * left, Lanes{}), Lanes{}};
+  return choose(apart, choose(left >= 0.0, MeanStress{Lanes{}, left}, closed), together);
 }
 
 /// Shear and bulk modulus at a pressure, and their factor F.
 struct Stiffness {
-  double factor = 1.0;
-  double shear = 0.0;
-  double bulk = 0.0;
+  Lanes factor;
+  Lanes shear;
+  Lanes bulk;
 };
 
-/// One point on its way through one step.
+/// Four points on their way through one step.
 class Step {
 public:
-  Step(const Pdmy03& law, double* block, const MeanAndDeviator& stress)
-      : law_(law), memory_(block), active_(static_cast<std::size_t>(memory_[Place::active_surface])),
-        s_(stress.deviator), mean_{std::min(0.0, stress.mean), memory_[Place::gap]} {}
+  /// @param present  the points to take; the others are of no meaning
+  Step(const Pdmy03& law, Pdmy03States& state, const RestingCentresOfFour& resting,
+       const MeanAndDeviators& stress, const LaneMask& present)
+      : law_(law), state_(state), present_(present),
+        active_(law, resting, state.active_surface, state.active_centre, present),
+        s_(stress.deviator), mean_{smaller(stress.mean, Lanes{}), state.gap} {}
 
-  /// Takes the strain increment.
+  /// Takes the strain increments.
   /// @return plastic work, J/m3
-  double take(double volume, const Deviator3& increment);
+  Lanes take(const Lanes& volume, const Deviators3& increment);
 
-  MeanAndDeviator stress() const { return {mean_.stress, s_}; }
+  MeanAndDeviators stress() const { return {mean_.stress, s_}; }
 
 private:
-  double height(double mean) const { return law_.residual_pressure - mean; }
+  Lanes height(const Lanes& mean) const { return law_.residual_pressure - mean; }
 
-  Stiffness stiffness(double height) const {
-    const double factor = pdmy03_modulus_factor(law_, height);
+  Stiffness stiffness(const Lanes& height) const {
+    const Lanes factor = pdmy03_modulus_factor(law_, height);
     return {factor, factor * 0.5 * law_.tangent_modulus[0], factor * law_.elastic.bulk_modulus()};
   }
 
-  YieldCone surface(std::size_t i) const { return {law_.ratio[i], memory_.resting_centre(i, law_.surfaces)}; }
-  /// Whether a stress is elastic when no surface is active. The slack is what rounding to float moves
-  /// surfaces by; without it a point at rest on several surfaces would creep under increments of no account.
-  bool in_core(const Deviator3& s, double height) const {
-    constexpr double slack = 5e-6;
-    const double radius = law_.ratio[1] * height;
-    return surface(1).yield_function(s, height) <= slack * radius * radius;
-  }
-  void activate(std::size_t i) {
-    active_ = i;
-    cone_ = surface(i);
-  }
-
-  IncrementStart begin(const Deviator3& increment) const;
-  void reverse_if_unloading(const MeanStress& trial, const Deviator3& trial_deviator);
-  int parts(double factor, double volume, const Deviator3& increment) const;
-  double part(const IncrementStart& start, double volume, const Deviator3& increment);
-  void correct(const IncrementStart& start, const Stiffness& moduli, FlowStress flow,
+  LaneMask in_core(const Deviators3& s, const Lanes& height) const;
+  IncrementStart begin(const Deviators3& increment) const;
+  void reverse_if_unloading(const LaneMask& which, const MeanStress& trial, const Deviators3& trial_deviator);
+  Lanes parts(const Lanes& factor, const Lanes& volume, const Deviators3& increment) const;
+  Lanes part(const LaneMask& which, const IncrementStart& start, const Lanes& volume,
+             const Deviators3& increment);
+  void correct(LaneMask which, const IncrementStart& start, const Stiffness& moduli, FlowStress flow,
                const FlowStrain& strain, MeanStress trial);
-  double consistency(double& flow, const Stiffness& moduli, const MeanAndDeviator& normal) const;
+  Lanes consistency(Lanes& flow, const Stiffness& moduli, const MeanAndDeviators& normal) const;
 
   const Pdmy03& law_;
-  Pdmy03Memory memory_;
-  std::size_t active_;
-  YieldCone cone_; ///< the active surface
-  Deviator3 s_;
+  Pdmy03States& state_;
+  LaneMask present_;
+  ActiveSurfaces active_;
+  Deviators3 s_;
   MeanStress mean_;
-  Deviator3 committed_deviator_ = s_; ///< at the start of the step
-  double committed_height_ = height(mean_.stress);
+  Deviators3 committed_deviator_ = s_; ///< at the start of the step
+  Lanes committed_height_ = height(mean_.stress);
 };
 
-IncrementStart Step::begin(const Deviator3& increment) const {
+/// Whether a stress is elastic when no surface is active. The slack is what rounding to float moves surfaces
+/// by; without it a point at rest on several surfaces would creep under increments of no account.
+LaneMask Step::in_core(const Deviators3& s, const Lanes& height) const {
+  constexpr double slack = 5e-6;
+  const LaneMask free = active_.inside_all();
+  if (!any(free))
+    return free;
+  const Lanes radius = law_.ratio[1] * height;
+  return free & (active_.core().yield_function(s, height) <= slack * radius * radius);
+}
+
+IncrementStart Step::begin(const Deviators3& increment) const {
   IncrementStart start;
   start.increment = increment;
-  const double largest = memory_[Place::largest_pressure];
-  const double relative = (largest + mean_.stress) / (largest + law_.residual_pressure);
-  start.damage = relative > 0.0 ? std::sqrt(std::sqrt(relative)) : 0.0;
-  start.cyclic_factor = cyclic_factor(law_, std::abs(s_.xy()) / memory_[Place::initial_height],
-                                      memory_[Place::initial_shear_ratio]);
-  start.turned = dot(increment, memory_.deviator(Place::pivot_direction)) < 0.0;
+  const Lanes largest = state_.largest_pressure;
+  start.damage = sqrt(sqrt(positive((largest + mean_.stress) / (largest + law_.residual_pressure))));
+  start.cyclic_factor =
+      cyclic_factor(law_, magnitude(s_.xy()) / state_.initial_height, state_.initial_shear_ratio);
+  start.turned = dot(increment, state_.pivot_direction) < 0.0;
   return start;
 }
 
 /// Unloading from the active surface: all smaller ones come to touch it where the stress of the last step is.
-void Step::reverse_if_unloading(const MeanStress& trial, const Deviator3& trial_deviator) {
-  if (active_ == 0)
+void Step::reverse_if_unloading(const LaneMask& which, const MeanStress& trial,
+                                const Deviators3& trial_deviator) {
+  const LaneMask loaded = which & ~active_.inside_all();
+  if (!any(loaded))
     return;
-  const MeanAndDeviator normal = cone_.normal(s_, height(mean_.stress));
-  const double mean_change = height(trial.stress) - committed_height_; // of p'
-  const Deviator3 change = trial_deviator - committed_deviator_;
-  const double outward = dot(normal.deviator, change) - 3.0 * normal.mean * mean_change;
-  const double rounding = 1e-12 * (norm(change) + std::abs(mean_change));
-  if (outward >= -rounding) // along the surface is not unloading
-    return;
-  for (std::size_t j = 1; j < active_; ++j)
-    memory_.rest_centre(j, cone_.centre_inside(committed_deviator_, committed_height_, law_.ratio[j]));
-  if (active_ < law_.surfaces)
-    memory_.rest_centre(active_, cone_.centre);
-  active_ = 0;
+  const MeanAndDeviators normal = active_.cone().normal(s_, height(mean_.stress));
+  const Lanes mean_change = height(trial.stress) - committed_height_; // of p'
+  const Deviators3 change = trial_deviator - committed_deviator_;
+  const Lanes outward = dot(normal.deviator, change) - 3.0 * normal.mean * mean_change;
+  const Lanes rounding = 1e-12 * (norm(change) + magnitude(mean_change));
+  const LaneMask unloads = loaded & (outward < -rounding); // along the surface is not unloading
+  if (any(unloads))
+    active_.leave(unloads, committed_deviator_, committed_height_);
 }
 
-int Step::parts(double factor, double volume, const Deviator3& increment) const {
+Lanes Step::parts(const Lanes& factor, const Lanes& volume, const Deviators3& increment) const {
   constexpr double largest_part = 1e-5;
-  const double strain = norm(increment);
-  const double stress = factor * law_.tangent_modulus[active_] * strain / std::sqrt(3.0);
+  const Lanes stress = factor * active_.tangent_modulus() * norm(increment) / std::sqrt(3.0);
   const double n = static_cast<double>(law_.surfaces);
-  const double step = std::sqrt(2.0) * law_.ratio[law_.surfaces] * height(mean_.stress) / n;
-  const double crossings = std::min(1.0 + 3.0 * stress / step, n);
-  const double by_shear = octahedral_strain(increment) / largest_part;
-  const double by_volume = std::abs(volume) / 3.0 / largest_part;
-  return std::max(1, static_cast<int>(std::max({crossings, by_shear, by_volume})));
+  const Lanes step = std::sqrt(2.0) * law_.ratio[law_.surfaces] * height(mean_.stress) / n;
+  const Lanes crossings = smaller(1.0 + 3.0 * stress / step, all(n));
+  const Lanes by_shear = octahedral_strain(increment) / largest_part;
+  const Lanes by_volume = magnitude(volume) / 3.0 / largest_part;
+  return larger(all(1.0), floor(larger(crossings, larger(by_shear, by_volume))));
 }
 
-double Step::take(double volume, const Deviator3& increment) {
-  if (active_ > 0)
-    cone_ = {law_.ratio[active_], memory_.deviator(Place::active_centre)};
+Lanes Step::take(const Lanes& volume, const Deviators3& increment) {
   const Stiffness moduli = stiffness(committed_height_);
   const MeanStress trial = strained(mean_, moduli.bulk, volume);
-  const Deviator3 trial_deviator = s_ + 2.0 * moduli.shear * increment;
-  reverse_if_unloading(trial, trial_deviator);
-  double work = 0.0;
-  if (active_ == 0 && in_core(trial_deviator, height(trial.stress))) {
-    s_ = trial_deviator;
-    mean_ = trial;
-    memory_[Place::volume_strain] += volume;
-    memory_.set(Place::strain, memory_.deviator(Place::strain) + increment);
-  } else {
+  const Deviators3 trial_deviator = s_ + 2.0 * moduli.shear * increment;
+  reverse_if_unloading(present_, trial, trial_deviator);
+  Lanes work{};
+  const LaneMask elastic = present_ & in_core(trial_deviator, height(trial.stress));
+  const LaneMask plastic = present_ & ~elastic;
+  if (any(plastic)) {
     const IncrementStart start = begin(increment);
-    const int count = parts(moduli.factor, volume, increment);
-    const double share = 1.0 / count;
-    for (int k = 0; k < count; ++k)
-      work += part(start, share * volume, share * increment);
+    const Lanes count = parts(moduli.factor, volume, increment);
+    const Lanes share = 1.0 / count;
+    LaneMask going = plastic;
+    for (double k = 1.0; any(going); k += 1.0) {
+      work += part(going, start, share * volume, share * increment);
+      going &= count > k;
+    }
   }
-  memory_[Place::active_surface] = static_cast<double>(active_);
-  if (active_ > 0)
-    memory_.set(Place::active_centre, cone_.centre);
-  memory_[Place::gap] = mean_.gap;
-  memory_[Place::largest_pressure] = std::max(memory_[Place::largest_pressure], -mean_.stress);
+  s_ = choose(elastic, trial_deviator, s_);
+  mean_ = choose(elastic, trial, mean_);
+  state_.volume_strain = choose(elastic, state_.volume_strain + volume, state_.volume_strain);
+  state_.strain = choose(elastic, state_.strain + increment, state_.strain);
+  state_.active_surface = active_.index();
+  state_.active_centre = choose(active_.inside_all(), state_.active_centre, active_.cone().centre);
+  state_.gap = mean_.gap;
+  state_.largest_pressure = larger(state_.largest_pressure, -mean_.stress);
   return work;
 }
 
-double Step::part(const IncrementStart& start, double volume, const Deviator3& increment) {
+Lanes Step::part(const LaneMask& which, const IncrementStart& start, const Lanes& volume,
+                 const Deviators3& increment) {
   const Stiffness moduli = stiffness(height(mean_.stress));
   const MeanStress trial = strained(mean_, moduli.bulk, volume);
-  const Deviator3 trial_deviator = s_ + 2.0 * moduli.shear * increment;
+  const Deviators3 trial_deviator = s_ + 2.0 * moduli.shear * increment;
   FlowStress flow;
-  flow.start_volume = memory_[Place::volume_strain];
-  flow.volume = memory_[Place::volume_strain] += volume;
-  const FlowStrain strain = {memory_.deviator(Place::strain) + increment, octahedral_strain(increment)};
-  memory_.set(Place::strain, strain.end);
+  flow.start_volume = state_.volume_strain;
+  flow.volume = state_.volume_strain + volume;
+  state_.volume_strain = choose(which, flow.volume, state_.volume_strain);
+  const FlowStrain strain = {state_.strain + increment, octahedral_strain(increment)};
+  state_.strain = choose(which, strain.end, state_.strain);
 
-  reverse_if_unloading(trial, trial_deviator);
-  if (active_ == 0) {
-    if (in_core(trial_deviator, height(trial.stress))) {
-      s_ = trial_deviator;
-      mean_ = trial;
-      return 0.0;
-    }
-    activate(1);
-  }
-  const Deviator3 first = s_;
-  const double first_mean = mean_.stress;
-  flow.start = s_;
-  flow.start_height = height(mean_.stress);
+  reverse_if_unloading(which, trial, trial_deviator);
+  const LaneMask elastic = which & in_core(trial_deviator, height(trial.stress));
+  const LaneMask plastic = which & ~elastic;
+  const Deviators3 first = s_;
+  const Lanes first_mean = mean_.stress;
+  s_ = choose(elastic, trial_deviator, s_);
+  mean_ = choose(elastic, trial, mean_);
+  if (!any(plastic))
+    return Lanes{};
+  if (const LaneMask free = plastic & active_.inside_all(); any(free))
+    active_.advance(free);
+  flow.start = first;
+  flow.start_height = height(first_mean);
   flow.trial = trial_deviator;
-  correct(start, moduli, flow, strain, trial);
-  return 0.5 * dot(first + s_, trial_deviator - s_) / (2.0 * moduli.shear) +
-         0.5 * (first_mean + mean_.stress) * (trial.stress - mean_.stress) / moduli.bulk;
+  correct(plastic, start, moduli, flow, strain, trial);
+  const Lanes work = 0.5 * dot(first + s_, trial_deviator - s_) / (2.0 * moduli.shear) +
+                     0.5 * (first_mean + mean_.stress) * (trial.stress - mean_.stress) / moduli.bulk;
+  return choose(plastic, work, Lanes{});
 }
 
 /// A, with the flow changed where it would make A smaller than half the plastic modulus.
-double Step::consistency(double& flow, const Stiffness& moduli, const MeanAndDeviator& normal) const {
-  const double plastic = moduli.factor * law_.plastic_modulus[active_];
-  const double least = 0.5 * moduli.factor * law_.plastic_modulus[std::min(active_, law_.surfaces - 1)];
-  const double shear = 2.0 * moduli.shear * dot(normal.deviator, normal.deviator);
-  const double volumetric = 9.0 * moduli.bulk * normal.mean;
-  const double a = shear + volumetric * flow + plastic;
-  if (a >= least)
-    return a;
-  flow = (least - shear - plastic) / volumetric; // not 0: a is below shear + plastic
-  return least;
+Lanes Step::consistency(Lanes& flow, const Stiffness& moduli, const MeanAndDeviators& normal) const {
+  const Lanes plastic = moduli.factor * active_.plastic_modulus();
+  const Lanes least = moduli.factor * active_.least_modulus();
+  const Lanes shear = 2.0 * moduli.shear * dot(normal.deviator, normal.deviator);
+  const Lanes volumetric = 9.0 * moduli.bulk * normal.mean;
+  const Lanes a = shear + volumetric * flow + plastic;
+  const LaneMask enough = a >= least;
+  if (any(~enough)) // not 0: a is below shear + plastic
+    flow = choose(enough, flow, (least - shear - plastic) / volumetric);
+  return larger(least, a);
 }
 
-void Step::correct(const IncrementStart& start, const Stiffness& moduli, FlowStress flow,
+void Step::correct(LaneMask which, const IncrementStart& start, const Stiffness& moduli, FlowStress flow,
                    const FlowStrain& strain, MeanStress trial) {
-  for (bool crossed = false;; crossed = true) {
+  Lanes beyond = all(1.0); // the part of what lies beyond a surface that is still to be corrected
+  for (;;) {
     flow.height = height(trial.stress);
-    flow.contact = cone_.projected(flow.trial, flow.height);
-    const MeanAndDeviator normal = cone_.normal(flow.contact, flow.height);
-    double volumetric = volumetric_flow(law_, memory_, start, flow, strain);
-    const double a = consistency(volumetric, moduli, normal);
-    double multiplier = std::max(0.0, dot(normal.deviator, flow.trial - flow.contact)) / a;
-    if (crossed) { // what lies beyond has been corrected with the modulus of the surface before
-      const double before = law_.plastic_modulus[active_ - 1];
-      multiplier *= (before - law_.plastic_modulus[active_]) / before;
+    const YieldCones& cone = active_.cone();
+    flow.contact = cone.projected(flow.trial, flow.height);
+    const MeanAndDeviators normal = cone.normal(flow.contact, flow.height);
+    Lanes volumetric = volumetric_flow(law_, state_, which, start, flow, strain);
+    const Lanes a = consistency(volumetric, moduli, normal);
+    const Lanes multiplier = beyond * positive(dot(normal.deviator, flow.trial - flow.contact)) / a;
+    const Lanes plastic_volume = 3.0 * volumetric * multiplier;
+    const Lanes closed = smaller(positive(plastic_volume), trial.gap);
+    MeanStress mean = {trial.stress - moduli.bulk * (plastic_volume - closed), trial.gap - closed};
+    Lanes deviatoric = all(1.0);
+    if (const LaneMask stops = mean.stress > 0.0; any(stops)) { // flow stops at zero effective stress
+      deviatoric = choose(stops, trial.stress / (trial.stress - mean.stress), deviatoric);
+      mean.stress = choose(stops, Lanes{}, mean.stress);
     }
-    double deviatoric = 1.0;
-    const double plastic_volume = 3.0 * volumetric * multiplier;
-    const double closed = std::clamp(plastic_volume, 0.0, trial.gap);
-    mean_ = {trial.stress - moduli.bulk * (plastic_volume - closed), trial.gap - closed};
-    if (mean_.stress > 0.0) { // flow stops at zero effective stress
-      deviatoric = trial.stress / (trial.stress - mean_.stress);
-      mean_.stress = 0.0;
-    }
-    s_ = flow.trial - (2.0 * moduli.shear * multiplier * deviatoric) * normal.deviator;
-    const double now = height(mean_.stress);
-    if (active_ == law_.surfaces || cone_.yield_function(s_, now) < 0.0)
-      s_ = cone_.projected(s_, now);
-    if (active_ == law_.surfaces)
+    Deviators3 s = flow.trial - (2.0 * moduli.shear * multiplier * deviatoric) * normal.deviator;
+    const Lanes now = height(mean.stress);
+    const LaneMask on_failure = active_.on_failure();
+    if (const LaneMask off = on_failure | (cone.yield_function(s, now) < 0.0); any(which & off))
+      s = choose(off, cone.projected(s, now), s);
+    s_ = choose(which, s, s_);
+    mean_ = choose(which, mean, mean_);
+    which &= ~on_failure;
+    if (!any(which))
       return;
-    const YieldCone next = surface(active_ + 1);
-    if (next.yield_function(s_, now) <= 0.0) {
-      cone_.centre = translated_centre(cone_, next, s_, now);
+    const YieldCones next = active_.next();
+    const LaneMask crosses = which & ~(next.yield_function(s, now) <= 0.0);
+    active_.move(which & ~crosses, translated_centre(cone, next, s, now));
+    if (!any(crosses))
       return;
-    }
-    activate(active_ + 1);
-    flow.trial = s_;
-    trial = mean_;
+    // What lies beyond has been corrected with the modulus of the surface before.
+    const Lanes before = active_.plastic_modulus();
+    active_.advance(crosses);
+    beyond = (before - active_.plastic_modulus()) / before;
+    flow.trial = s;
+    trial = mean;
+    which = crosses;
   }
+}
+
+/// Advances one to four points from i on.
+template <typename Group>
+void advance(const Pdmy03& law, const Points& points, std::size_t i, Group group) {
+  const std::size_t size = pdmy03_state_size(law.surfaces);
+  double* const blocks = points.state + i * size;
+  auto state = load_four<Pdmy03States>(blocks, size, group.count);
+  const FourTurned here = turned(points, i, group, state.rotation);
+  state.rotation = here.angle;
+  const auto resting = [&](std::size_t lane) {
+    return RestingCentres(blocks + (lane < group.count ? lane * size : 0), law.surfaces);
+  };
+  const Lanes out_of_plane = points.dezz == nullptr ? Lanes{} : group.load(points.dezz + i);
+  const MeanAndDeviators increment = split(here.strain.xx, here.strain.yy, out_of_plane, here.strain.xy);
+  Step step(law, state, {resting(0), resting(1), resting(2), resting(3)},
+            split(here.stress.xx, here.stress.yy, group.load(points.szz + i), here.stress.xy),
+            group.present(all(1.0), Lanes{}) > 0.0);
+  const Lanes work = step.take(3.0 * increment.mean, increment.deviator);
+  const auto end = components(step.stress());
+  store_response(points, i, group, here.axes.to_space({end.xx, end.yy, end.xy}), end.zz, work);
+  store_four(state, blocks, size, group.count);
 }
 
 } // namespace
 
 void update(const Pdmy03& law, const Points& points) {
   check_increments("pdmy03", points, pdmy03_largest_increment);
-  const std::size_t size = pdmy03_state_size(law.surfaces);
-  check_finite("pdmy03", points, size);
-  for (std::size_t i = 0; i < points.count; ++i) {
-    double* block = points.state + i * size;
-    block[Place::rotation] = MaterialAxes::turned(block[Place::rotation], points.dwxy[i]);
-    const MaterialAxes axes(block[Place::rotation]);
-    const InPlaneStress plane =
-        axes.to_material(rotated({points.sxx[i], points.syy[i], points.sxy[i]}, points.dwxy[i]));
-    const InPlaneStress strain = axes.to_material({points.dexx[i], points.deyy[i], 0.5 * points.dgxy[i]});
-    const double out_of_plane = points.dezz == nullptr ? 0.0 : points.dezz[i];
-
-    const MeanAndDeviator increment = split(strain.xx, strain.yy, out_of_plane, strain.xy);
-    Step step(law, block, split(plane.xx, plane.yy, points.szz[i], plane.xy));
-    points.plastic_work[i] += step.take(3.0 * increment.mean, increment.deviator);
-
-    const TensorComponents end = components(step.stress());
-    const InPlaneStress stress = axes.to_space({end.xx, end.yy, end.xy});
-    points.sxx[i] = stress.xx;
-    points.syy[i] = stress.yy;
-    points.szz[i] = end.zz;
-    points.sxy[i] = stress.xy;
-  }
+  check_finite("pdmy03", points, pdmy03_state_size(law.surfaces));
+  by_fours(0, points.count, [&](std::size_t i, auto group) { advance(law, points, i, group); });
 }
 
 } // namespace tremolo::materials

@@ -1,10 +1,10 @@
 #include "materials/sand/pm4sand/pm4sand.hpp"
 
 #include "materials/law/finite_input.hpp"
+#include "materials/law/four_points.hpp"
 #include "materials/law/strain_limit.hpp"
 #include "materials/sand/pm4sand/pm4sand_initial.hpp"
 #include "materials/sand/pm4sand/pm4sand_integration.hpp"
-#include "materials/tensor/material_axes.hpp"
 
 #include <fmt/format.h>
 
@@ -37,15 +37,11 @@ InPlaneStressOf<Lanes> tension(const pm4::Stresses& stress) {
 template <typename Group>
 void advance(const Pm4Sand& law, const Points& points, std::size_t i, Group group) {
   double* const blocks = points.state + i * pm4::state_size;
-  pm4::States states = pm4::load_four(blocks, group.count);
-  const Lanes w = group.load(points.dwxy + i);
-  states.angle = MaterialAxesOf<Lanes>::turned(states.angle, w);
-  const MaterialAxesOf<Lanes> axes(states.angle);
-  const InPlaneStressOf<Lanes> carried =
-      rotated<Lanes>({group.load(points.sxx + i), group.load(points.syy + i), group.load(points.sxy + i)}, w);
-  const pm4::Stresses reported = compression(axes.to_material(carried));
-  const pm4::Strains strain = compression_strain(axes.to_material(
-      {group.load(points.dexx + i), group.load(points.deyy + i), 0.5 * group.load(points.dgxy + i)}));
+  auto states = load_four<pm4::States>(blocks, pm4::state_size, group.count);
+  const FourTurned here = turned(points, i, group, states.angle);
+  states.angle = here.angle;
+  const pm4::Stresses reported = compression(here.stress);
+  const pm4::Strains strain = compression_strain(here.strain);
 
   const pm4::Stresses& offset = states.start.offset;
   pm4::Stresses stress{reported.p - offset.p, reported.s - offset.s};
@@ -56,13 +52,10 @@ void advance(const Pm4Sand& law, const Points& points, std::size_t i, Group grou
       throw std::domain_error(fmt::format("pm4sand: no finite stress of point {} follows from its strain "
                                           "increment",
                                           i + lane));
-  group.store(points.plastic_work + i, group.load(points.plastic_work + i) + work);
-  const InPlaneStressOf<Lanes> after = axes.to_space(tension({stress.p + offset.p, stress.s + offset.s}));
-  group.store(points.sxx + i, after.xx);
-  group.store(points.syy + i, after.yy);
-  group.store(points.sxy + i, after.xy);
-  group.store(points.szz + i, law.elastic.poisson * (after.xx + after.yy));
-  pm4::store_four(states, blocks, group.count);
+  const InPlaneStressOf<Lanes> after =
+      here.axes.to_space(tension({stress.p + offset.p, stress.s + offset.s}));
+  store_response(points, i, group, after, law.elastic.poisson * (after.xx + after.yy), work);
+  store_four(states, blocks, pm4::state_size, group.count);
 }
 
 } // namespace
@@ -89,6 +82,21 @@ double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {
   }
   const double G = law.G_o * std::sqrt(law.p_A * p);
   return std::sqrt((law.bulk_ratio + 4.0 / 3.0) * G / law.elastic.density);
+}
+
+void stiffness_ratios(const Pm4Sand& law, const Points& points, double* ratios) {
+  const double reference = law.elastic.shear_modulus();
+  by_fours(0, points.count, [&](std::size_t i, auto group) {
+    const auto states =
+        load_four<pm4::States>(points.state + i * pm4::state_size, pm4::state_size, group.count);
+    const MaterialAxesOf<Lanes> axes(states.angle);
+    const pm4::Stresses reported = compression(axes.to_material(
+        {group.load(points.sxx + i), group.load(points.syy + i), group.load(points.sxy + i)}));
+    const pm4::Stresses& offset = states.start.offset;
+    const pm4::Sites here = pm4::site(law, states.start, states.memory, states.now,
+                                      {reported.p - offset.p, reported.s - offset.s});
+    group.store(ratios + i, here.G / reference);
+  });
 }
 
 Traits traits(const Pm4Sand& law) {

@@ -150,6 +150,9 @@ void update(const Pm4Sand& law, const Points& points);
 /// more, with the undegraded G, m/s. Pressure can multiply in dilation: ask again as the points move.
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points);
 
+/// G over G_o p_A of each point, as pressure, stress ratio and fabric leave it.
+void stiffness_ratios(const Pm4Sand& law, const Points& points, double* ratios);
+
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const Pm4Sand& law);
 

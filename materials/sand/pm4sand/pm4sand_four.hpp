@@ -55,28 +55,4 @@ inline void set_memory(const Memory& memory, std::size_t lane, Memories& four) {
   four = std::bit_cast<Memories>(to);
 }
 
-/// Reads the blocks of one to four points; the lanes beyond them repeat the first.
-inline States load_four(const double* blocks, std::size_t count) {
-  std::array<const double*, 4> of_point;
-  for (std::size_t lane = 0; lane < of_point.size(); ++lane)
-    of_point[lane] = blocks + (lane < count ? lane * state_size : 0);
-  std::array<Lanes, state_size> values;
-  for (std::size_t i = 0; i < state_size; i += 4) {
-    const std::array<Lanes, 4> part =
-        transposed({tremolo::load(of_point[0] + i), tremolo::load(of_point[1] + i),
-                    tremolo::load(of_point[2] + i), tremolo::load(of_point[3] + i)});
-    std::memcpy(&values[i], &part, sizeof(part));
-  }
-  return std::bit_cast<States>(values);
-}
-
-inline void store_four(const States& states, double* blocks, std::size_t count) {
-  const auto values = std::bit_cast<std::array<Lanes, state_size>>(states);
-  for (std::size_t i = 0; i < state_size; i += 4) {
-    const std::array<Lanes, 4> part = transposed({values[i], values[i + 1], values[i + 2], values[i + 3]});
-    for (std::size_t lane = 0; lane < count; ++lane)
-      tremolo::store(blocks + lane * state_size + i, part[lane]);
-  }
-}
-
 } // namespace tremolo::materials::pm4

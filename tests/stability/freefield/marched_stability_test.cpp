@@ -106,7 +106,7 @@ double largest_eigenvalue(const Profile& profile, BaseKind base, double share_of
       state.excess[e] = state.stress[e].pressure;
       state.grid.elements[e].lowest_excess = -std::numeric_limits<double>::infinity();
     }
-    trial.begin(scheme, state, {}, moduli);
+    trial.begin(scheme, state, {}, moduli, {});
     Increments x = Increments::Zero(static_cast<Eigen::Index>(elements), 4), residual = x;
     for (int i = 0; i < 3; ++i) {
       trial.evaluate(scheme, state, x, residual);

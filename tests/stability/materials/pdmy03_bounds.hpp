@@ -14,6 +14,10 @@ namespace tremolo::materials::test {
 
 inline constexpr double densities[] = {0.33, 0.57, 0.74, 0.87};
 
+inline Pdmy03State state_of(const PointTest& point) {
+  return load_pdmy03(point.state().data());
+}
+
 inline double mean_stress(const PointStress& s) {
   return (s.xx + s.yy + s.zz) / 3.0;
 }

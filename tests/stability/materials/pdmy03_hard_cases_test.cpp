@@ -19,7 +19,7 @@ TEST(Pdmy03HardCase, SixtySecondsOfShakingAtZeroEffectiveStress) {
       point.apply(sheared(0.0, 2e-4)); // by 20 %: dilation does not close it
     }
     const double work = point.plastic_work();
-    const double gap = point.state()[pdmy03_state::gap];
+    const double gap = state_of(point).gap;
     EXPECT_GT(gap, 0.19);
     const double strength = law.ratio[law.surfaces] * law.residual_pressure;
     double path = 0.0;
@@ -67,7 +67,7 @@ double separated_and_closed(const Pdmy03& law, int steps) {
     point.apply(isotropic(volume / steps));
     EXPECT_TRUE(held(law, point.stress()));
   }
-  const double gap = point.state()[pdmy03_state::gap];
+  const double gap = state_of(point).gap;
   EXPECT_GT(gap, 0.5 * volume);
   for (int k = 1; k <= steps; ++k) {
     point.apply(isotropic(-volume / steps));
@@ -75,7 +75,7 @@ double separated_and_closed(const Pdmy03& law, int steps) {
       EXPECT_EQ(mean_stress(point.stress()), 0.0);
     }
   }
-  EXPECT_EQ(point.state()[pdmy03_state::gap], 0.0);
+  EXPECT_EQ(state_of(point).gap, 0.0);
   return std::abs(mean_stress(point.stress()) / 100e3 + 1.0);
 }
 
@@ -115,7 +115,7 @@ TEST(Pdmy03HardCase, ReversalOnTheFailureSurfaceIsElastic) {
     for (int k = 0; k < 6000; ++k) {
       loaded.apply(sheared(5e-5));
     }
-    ASSERT_GE(loaded.state()[pdmy03_state::active_surface], static_cast<double>(law.surfaces) - 2.0);
+    ASSERT_GE(state_of(loaded).active_surface, static_cast<double>(law.surfaces) - 2.0);
     for (const double increment : {1e-12, 1e-10, 1e-8, 1e-6}) {
       PointTest point = loaded;
       const double height = law.residual_pressure - mean_stress(point.stress());
@@ -204,29 +204,49 @@ struct Block {
   }
 };
 
+/// Increments from elastic ones to those of many parts, in which points cross surfaces, reverse, enter the
+/// plastic zone and open gaps, each at a time of its own: all points at once, in groups, and one by one.
 TEST(Pdmy03HardCase, TheSameBitsHoweverPointsAreGrouped) {
   constexpr std::size_t count = 37;
   Block together(count);
   Block groups(count);
+  Block alone(count);
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  for (int k = 0; k < 300; ++k) {
-    for (double& strain : together.strain) {
-      strain = 3e-5 * unit(random);
+  std::size_t apart = 0, inside = 0, dilating = 0;
+  for (const double size : {1e-7, 3e-5, 1e-3, 3e-5}) {
+    for (int k = 0; k < 150; ++k) {
+      for (double& strain : together.strain)
+        strain = 0.1 * size * unit(random);
+      for (std::size_t i = 0; i < count; ++i)
+        together.strain[2 * count + i] += size * std::cos(0.1 * k + static_cast<double>(i));
+      groups.strain = alone.strain = together.strain;
+      update(together.law, together.points(0, count));
+      for (std::size_t first = 0, length = 1; first < count; first += length, length = length % 7 + 1) {
+        length = std::min(length, count - first);
+        update(groups.law, groups.points(first, length));
+      }
+      for (std::size_t i = 0; i < count; ++i)
+        update(alone.law, alone.points(i, 1));
     }
-    groups.strain = together.strain;
-    update(together.law, together.points(0, count));
-    for (std::size_t first = 0, size = 1; first < count; first += size, size = size % 7 + 1) {
-      size = std::min(size, count - first);
-      update(groups.law, groups.points(first, size));
+    const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
+      return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+    };
+    for (const Block* other : {&groups, &alone}) {
+      EXPECT_TRUE(same(together.stress, other->stress)) << size;
+      EXPECT_TRUE(same(together.state, other->state)) << size;
+      EXPECT_TRUE(same(together.work, other->work)) << size;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const Pdmy03State state = load_pdmy03(&together.state[i * pdmy03_state_size(together.law.surfaces)]);
+      apart += state.gap > 0.0 ? 1 : 0;
+      inside += state.zone == pdmy03_zone::inside ? 1 : 0;
+      dilating += state.zone == pdmy03_zone::dilating ? 1 : 0;
     }
   }
-  const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
-    return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-  };
-  EXPECT_TRUE(same(together.stress, groups.stress));
-  EXPECT_TRUE(same(together.state, groups.state));
-  EXPECT_TRUE(same(together.work, groups.work));
+  EXPECT_GT(apart, 0U);
+  EXPECT_GT(inside, 0U);
+  EXPECT_GT(dilating, 0U);
 }
 
 TEST(Pdmy03HardCase, AnIncrementOfTenPerCentIsRefusedAndChangesNothing) {
@@ -256,7 +276,8 @@ TEST(Pdmy03HardCase, StressOrStateThatIsNotFiniteIsRefusedAndChangesNothing) {
       Block block(5);
       std::fill(block.strain.begin(), block.strain.end(), 1e-6);
       const std::size_t size = state_variables(block.law).size();
-      (in_state ? block.state[3 * size + pdmy03_state::gap] : block.stress[2 * block.count + 3]) = bad;
+      (in_state ? block.state[3 * size + offsetof(Pdmy03State, gap) / sizeof(double)]
+                : block.stress[2 * block.count + 3]) = bad;
       const Block before = block;
       try {
         update(block.law, block.points(0, block.count));

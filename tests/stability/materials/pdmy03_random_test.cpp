@@ -77,7 +77,7 @@ void walk(std::size_t legs, int repeats, double largest) {
       RC_ASSERT(std::isfinite(point.plastic_work()));
       RC_ASSERT(size > bounded_work ||
                 std::abs(point.plastic_work() - work) <= largest_work(law, before, point.stress(), leg));
-      RC_ASSERT(point.state()[pdmy03_state::gap] >= 0.0);
+      RC_ASSERT(state_of(point).gap >= 0.0);
     }
   }
 }

@@ -6,14 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace tremolo::materials {
 namespace {
-
-using Place = pdmy03_state::Place;
 
 /// One point with a stress, initialised.
 struct Point {
@@ -27,6 +26,7 @@ struct Point {
       : law(of), sxx(xx), syy(yy), szz(zz), sxy(xy), state(state_variables(law).size()) {
     initialise(law, points());
   }
+  Pdmy03State now() const { return load_pdmy03(state.data()); }
   Points points() { return {1, &sxx, &syy, &szz, &sxy, state.data(), &work, &dexx, &deyy, &dgxy, &dwxy}; }
   double mean() const { return (sxx + syy + szz) / 3.0; }
   double q() const {
@@ -42,38 +42,38 @@ TEST(Pdmy03Initial, AStressInsideTheConeIsKeptAndFindsItsSurface) {
   EXPECT_EQ(point.sxx, -50.5e3);
   EXPECT_EQ(point.syy, -101e3);
   // eta = 50.5/(67.33 + p_res) lies between surfaces 11 and 12 of M_f i/20
-  EXPECT_EQ(point.state[Place::active_surface], 11.0);
-  EXPECT_EQ(point.state[Place::zone], -1.0);
-  EXPECT_NEAR(point.state[Place::largest_pressure], 202e3 / 3.0, 1e-9);
+  EXPECT_EQ(point.now().active_surface, 11.0);
+  EXPECT_EQ(point.now().zone, -1.0);
+  EXPECT_NEAR(point.now().largest_pressure, 202e3 / 3.0, 1e-9);
   Point isotropic(law, -1e5, -1e5, -1e5, 0.0);
-  EXPECT_EQ(isotropic.state[Place::active_surface], 0.0);
+  EXPECT_EQ(isotropic.now().active_surface, 0.0);
 }
 
 TEST(Pdmy03Initial, SurfacesThatTheStressHasPassedTouchIt) {
   const Pdmy03 law = pdmy03({.relative_density = 0.33});
   Point point(law, -50.5e3, -101e3, -50.5e3, 5e3);
-  Pdmy03Memory memory(point.state.data());
+  const Pdmy03State state = point.now();
+  const RestingCentres resting(point.state.data(), law.surfaces);
   const MeanAndDeviator stress = split(point.sxx, point.syy, point.szz, point.sxy);
   const double height = law.residual_pressure - stress.mean;
-  const auto active = static_cast<std::size_t>(point.state[Place::active_surface]);
+  const auto active = static_cast<std::size_t>(state.active_surface);
   ASSERT_GT(active, 5U);
   for (std::size_t i = 1; i <= active; ++i) {
-    const Deviator3 centre =
-        i == active ? memory.deviator(Place::active_centre) : memory.resting_centre(i, law.surfaces);
+    const Deviator3 centre = i == active ? state.active_centre : resting[i];
     const double distance = std::sqrt(1.5) * norm(stress.deviator + height * centre);
     EXPECT_NEAR(distance / (law.ratio[i] * height), 1.0, 1e-5) << i;
   }
-  EXPECT_EQ(norm(memory.resting_centre(active + 1, law.surfaces)), 0.0);
+  EXPECT_EQ(norm(resting[active + 1]), 0.0);
 }
 
 TEST(Pdmy03Initial, RemembersTheElasticStrainOfGravity) {
   const Pdmy03 law = pdmy03({.relative_density = 0.74});
   Point point(law, -40e3, -100e3, -60e3, 10e3);
   const double shear = law.elastic.shear_modulus();
-  EXPECT_NEAR(point.state[Place::volume_strain], -200e3 / (3.0 * law.elastic.bulk_modulus()), 1e-12);
+  EXPECT_NEAR(point.now().volume_strain, -200e3 / (3.0 * law.elastic.bulk_modulus()), 1e-12);
   // deviators: zz and xy components of s/(2 G), orthonormal
-  EXPECT_NEAR(point.state[Place::strain + 1], std::sqrt(1.5) * (-60e3 + 200e3 / 3.0) / (2.0 * shear), 1e-12);
-  EXPECT_NEAR(point.state[Place::strain + 2], std::sqrt(2.0) * 10e3 / (2.0 * shear), 1e-12);
+  EXPECT_NEAR(point.now().strain.b, std::sqrt(1.5) * (-60e3 + 200e3 / 3.0) / (2.0 * shear), 1e-12);
+  EXPECT_NEAR(point.now().strain.c, std::sqrt(2.0) * 10e3 / (2.0 * shear), 1e-12);
 }
 
 TEST(Pdmy03Initial, AStressOutsideTheConeIsScaledOntoIt) {
@@ -82,7 +82,7 @@ TEST(Pdmy03Initial, AStressOutsideTheConeIsScaledOntoIt) {
   Point steep(law, -20e3, -100e3, -20e3, 30e3); // K0 = 0.2
   EXPECT_NEAR(steep.q(), failure * (law.residual_pressure - steep.mean()), 1e-6);
   EXPECT_NEAR(steep.mean(), -140e3 / 3.0, 1e-6);
-  EXPECT_EQ(steep.state[Place::active_surface], static_cast<double>(law.surfaces));
+  EXPECT_EQ(steep.now().active_surface, static_cast<double>(law.surfaces));
   EXPECT_GT(steep.sxy, 0.0);
 }
 
@@ -91,7 +91,7 @@ TEST(Pdmy03Initial, TensionIsCut) {
   Point tension(law, 10e3, 20e3, 5e3, 1e3);
   EXPECT_NEAR(tension.mean(), 0.0, 1e-9);
   EXPECT_LE(tension.q(), law.ratio[law.surfaces] * law.residual_pressure * (1.0 + 1e-12));
-  EXPECT_EQ(tension.state[Place::gap], 0.0);
+  EXPECT_EQ(tension.now().gap, 0.0);
 }
 
 TEST(Pdmy03Initial, StateIsDescribed) {
@@ -105,34 +105,35 @@ TEST(Pdmy03Initial, StateIsDescribed) {
       EXPECT_FALSE(variable.unit.empty());
       EXPECT_FALSE(variable.meaning.empty());
     }
-    EXPECT_EQ(variables[Place::active_surface].name, "active_surface");
-    EXPECT_EQ(variables[Place::zone].name, "dilation_zone");
-    EXPECT_EQ(variables[Place::damage].name, "damage");
-    EXPECT_EQ(variables[Place::gap].name, "gap");
-    EXPECT_EQ(variables[Place::strain].name, "strain_deviator_a");
-    EXPECT_EQ(variables[Place::pivot_direction + 2].name, "zone_direction_c");
-    EXPECT_EQ(variables[Place::centres].name, "centres_01");
-    EXPECT_FALSE(variables[Place::gap].internal);
-    EXPECT_TRUE(variables[Place::centres].internal);
+    const auto described = [&](std::size_t offset) { return variables[offset / sizeof(double)].name; };
+    EXPECT_EQ(described(offsetof(Pdmy03State, active_surface)), "active_surface");
+    EXPECT_EQ(described(offsetof(Pdmy03State, zone)), "dilation_zone");
+    EXPECT_EQ(described(offsetof(Pdmy03State, damage)), "damage");
+    EXPECT_EQ(described(offsetof(Pdmy03State, gap)), "gap");
+    EXPECT_EQ(described(offsetof(Pdmy03State, strain)), "strain_deviator_a");
+    EXPECT_EQ(described(offsetof(Pdmy03State, pivot_direction.c)), "zone_direction_c");
+    EXPECT_EQ(described(sizeof(Pdmy03State)), "centres_01");
+    EXPECT_FALSE(variables[offsetof(Pdmy03State, gap) / sizeof(double)].internal);
+    EXPECT_TRUE(variables[pdmy03_fixed_size].internal);
   }
 }
 
 TEST(Pdmy03Initial, CentresKeepSinglePrecisionAndAreNeverNotNumbers) {
   std::vector<double> block(pdmy03_state_size(20), 0.0);
-  Pdmy03Memory memory(block.data());
+  const RestingCentres resting(block.data(), 20);
   for (std::size_t i = 1; i < 20; ++i) {
     const double x = static_cast<double>(i);
-    memory.rest_centre(i, {1.0 / x, -0.3 * x, -1e-30 * x});
+    resting.set(i, {1.0 / x, -0.3 * x, -1e-30 * x});
   }
   for (const double value : block) {
     EXPECT_TRUE(std::isfinite(value));
   }
   for (std::size_t i = 1; i < 20; ++i) {
     const double x = static_cast<double>(i);
-    EXPECT_NEAR(memory.resting_centre(i, 20).a * x, 1.0, 1e-7);
-    EXPECT_NEAR(memory.resting_centre(i, 20).b / x, -0.3, 1e-7);
+    EXPECT_NEAR(resting[i].a * x, 1.0, 1e-7);
+    EXPECT_NEAR(resting[i].b / x, -0.3, 1e-7);
   }
-  EXPECT_EQ(norm(memory.resting_centre(20, 20)), 0.0); // the failure surface
+  EXPECT_EQ(norm(resting[20]), 0.0); // the failure surface
 }
 
 TEST(Pdmy03Initial, ElasticLoadingInsideTheCoreHasTheModulusOfItsPressure) {

@@ -104,7 +104,8 @@ TEST_P(Pm4SandColumn, LiquefiesWhenTheReferenceDoes) {
 
 /// Once sand has liquefied, disturbances decide which element strains. Elements of 0.5 and 0.25 m: in the
 /// bands of the reference's variants each, to what its README says of them; where one of its variants alone
-/// is seconds from the others, the ranges of both overlap.
+/// is seconds from the others, the ranges of both overlap. At 9.5 m r_u creeps past 0.9, when is not
+/// determined: its mean is held there.
 TEST_P(Pm4SandColumn, StaysInTheBandsOnceLiquefied) {
   const std::string run = GetParam().run;
   const auto reference = stored(run);
@@ -115,7 +116,8 @@ TEST_P(Pm4SandColumn, StaysInTheBandsOnceLiquefied) {
     auto band = bands(run, depths[i]);
     const bool middle = depths[i] > 2.0 && depths[i] < 9.0;
     for (const auto& [name, level] : {std::pair("t70_1s", 0.7), {"t80_1s", 0.8}, {"t90_1s", 0.9}})
-      expect_overlap(ours[0].time_of(i, level), ours[1].time_of(i, level), band[name], 0.2, name);
+      if (depths[i] < 9.0 || level < 0.9)
+        expect_overlap(ours[0].time_of(i, level), ours[1].time_of(i, level), band[name], 0.2, name);
     expect_overlap(ours[0].ratio_at(i, 25.0), ours[1].ratio_at(i, 25.0), band["ru_25s"], 0.005,
                    "r_u at 25 s");
     for (const auto& one : ours) {
@@ -137,6 +139,19 @@ INSTANTIATE_TEST_SUITE_P(Liquefaction, Pm4SandColumn,
                          ::testing::Values(Pm4Column{"B1", 0.35, 476.0, 0.53},
                                            Pm4Column{"B2", 0.55, 677.0, 0.40}),
                          [](const auto& one) { return one.param.run; });
+
+/// At 0.2 g sand of D_R = 75 % shears by per cents between states without effective stress, where its fabric
+/// and stress ratio have taken three quarters of its stiffness: damping that kept it would hold the soil
+/// back. The reference's variants settle by 11.1 to 12.1 mm (README there, run B6); elements of 0.5 and
+/// 0.25 m, within 2 % of that.
+TEST(Liquefaction, SandShakenAt02gSettlesAsTheReferenceWithItsDamping) {
+  LiquefyingSand sand = pm4sand_column("B6", 0.75, 890.0, 0.63, 1e-3);
+  sand.shaking = 1.962;
+  const Band band{11.1, 12.1}; // mm
+  for (const double element_size : {0.5, 0.25})
+    expect_within(1e3 * computed(sand, element_size, 1e-4).settlement_at(25.0), band, 0.02 * band.high,
+                  "settlement");
+}
 
 /// Ten times as permeable, to the end of dissipation: settlement to 5 %, r_u while water leaves to 0.02.
 TEST(Liquefaction, PorePressureDissipatesAfterShaking) {

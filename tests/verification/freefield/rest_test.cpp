@@ -21,11 +21,15 @@ struct Rest {
 
 class RestOfSand : public ::testing::TestWithParam<Rest> {};
 
-/// The values are those of an earlier driver that changed the law of the same column in mid-run. Without a
-/// rest it settles by 15.7 mm.
+/// The values are those of an earlier driver that changed the law of the same column in mid-run. That
+/// driver's column settled by 15.7 mm without a rest; over what it settles without one, what a rest adds does
+/// not depend on how the shaking was damped.
 TEST_P(RestOfSand, SettlesByWhenItBegins) {
-  const auto history = computed(sand_until(99.5), 0.5, 2e-4, materials::RestClock{GetParam().from});
-  EXPECT_NEAR(1e3 * history.settlement_at(99.5) / GetParam().settlement, 1.0, 0.03);
+  const auto settlement = [](std::optional<materials::RestClock> rest) {
+    return computed(sand_until(99.5), 0.5, 2e-4, rest).settlement_at(99.5);
+  };
+  const double growth = settlement(materials::RestClock{GetParam().from}) / settlement({});
+  EXPECT_NEAR(growth / (GetParam().settlement / 15.7), 1.0, 0.03);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rest, RestOfSand,

@@ -82,8 +82,8 @@ TEST(Pdmy03, LowPressurePathFollowsTheReferenceUntilAGapOpens) {
   if (rows.empty()) {
     GTEST_SKIP() << "no reference data in " << testing::reference_folder();
   }
-  constexpr std::size_t gap = pdmy03_state::gap;
   PointTest point(pdmy03_of(name), rows.front().stress);
+  const auto gap = [&] { return load_pdmy03(point.state().data()).gap; };
   const auto pressure = [](const PointStress& s) { return -(s.xx + s.yy + s.zz) / 3.0; };
   std::size_t compared = 0;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -91,15 +91,15 @@ TEST(Pdmy03, LowPressurePathFollowsTheReferenceUntilAGapOpens) {
     const PointStrain& to = rows[i].strain;
     point.apply({Control::strain(to.xx - from.xx), Control::strain(to.yy - from.yy),
                  Control::strain(to.xy - from.xy)});
-    if (compared == i - 1 && point.state()[gap] == 0.0) {
+    if (compared == i - 1 && gap() == 0.0) {
       ASSERT_LT(difference(point.stress(), rows[i].stress), 50.0) << "row " << i;
       compared = i;
-    } else if (point.state()[gap] > 0.0) {
+    } else if (gap() > 0.0) {
       ASSERT_NEAR(pressure(point.stress()), 0.0, 1e-6) << "row " << i;
     }
   }
   EXPECT_GT(compared, 100U);
-  EXPECT_EQ(point.state()[gap], 0.0) << "compression by 0.4 % after expansion by 0.4 % closes the gap";
+  EXPECT_EQ(gap(), 0.0) << "compression by 0.4 % after expansion by 0.4 % closes the gap";
   EXPECT_GT(pressure(point.stress()), 0.5 * pressure(rows.back().stress));
   EXPECT_LT(pressure(point.stress()), pressure(rows.back().stress));
 }

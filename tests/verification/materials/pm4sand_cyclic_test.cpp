@@ -1,6 +1,7 @@
 // Cycles to liquefaction of PM4Sand under shear stress of constant amplitude at constant volume, found by its
 // own stress reversals, against those of an independent implementation: within half a cycle.
 
+#include "materials/law/four_points.hpp"
 #include "materials/sand/pm4sand/pm4sand_initial.hpp"
 #include "materials/sand/pm4sand/pm4sand_integration.hpp"
 #include "tests/support/cyclic_shear.hpp"
@@ -118,7 +119,7 @@ long attempts(const Pm4Sand& law, double amplitude, int cycles) {
   const pm4::State state = pm4::initial_state(law, initial);
   std::vector<double> block(pm4::state_size);
   pm4::store(state, block.data());
-  pm4::States states = pm4::load_four(block.data(), 1);
+  auto states = load_four<pm4::States>(block.data(), pm4::state_size, 1);
   pm4::Stresses stress = {all(initial.p), {all(initial.s.d), all(initial.s.s)}};
   const long quarter = std::lround(amplitude / 1e-4);
   long count = 0;
