@@ -221,8 +221,8 @@ INSTANTIATE_TEST_SUITE_P(, ConstantDampingOfTheOdeColumn,
                          ::testing::Values(OdeMethod::bdf, OdeMethod::explicit_runge_kutta, OdeMethod::imex));
 
 /// Soil that yields, by two methods that have nothing in common but the mechanisms' equations: stress
-/// increments in steps, and differential equations for what each mechanism remembers. Half of the strength is
-/// lost by strain.
+/// increments in steps, and differential equations for what each mechanism remembers. Strains reach 3 %,
+/// thirty times the reference strain.
 TEST(ConstantDampingOfSoilThatYields, IsThatOfTheOtherColumn) {
   Profile profile = two_layers();
   profile.layers[0] = layer_of(8.0, materials::MasingShear{profile.layers[0].soil, 1e-3}, 0.02);
