@@ -51,7 +51,7 @@ struct ParticleFields {
   std::vector<double> mass, volume;                       ///< per metre out of plane
   std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
   std::vector<double> x_initial, y_initial;
-  std::vector<std::vector<double>> more; ///< of Spec::more_fields, in their order
+  std::vector<std::vector<double>> more; ///< of Spec::more_fields, in their order, then relaxation_fields()
 };
 
 /// A line of the table.
@@ -63,7 +63,12 @@ struct ParticleFieldDescription {
   OnCut on_cut = OnCut::copied;
   /// The field of a frame of output that it is a component of, in the order of the table; empty: none.
   std::string frame;
-  std::vector<double> ParticleFields::*field = nullptr; ///< none for one of Spec::more_fields
+  std::vector<double> ParticleFields::*field = nullptr; ///< none for one of ParticleFields::more
+
+  /// The field of a frame of output that it is written to; empty: none. Fields of one's own are all written.
+  const std::string& in_frames() const {
+    return field == nullptr && trait == FieldTrait::always ? name : frame;
+  }
 };
 
 /// The fields that particles have by themselves.
