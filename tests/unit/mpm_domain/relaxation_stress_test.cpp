@@ -155,8 +155,9 @@ TEST(RelaxationStress, IsForgottenAsAWhole) {
   strain(set, 1e-6, 2e-6, 3e-6, 0.0);
   forget(set);
   set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
-    if (line.trait == FieldTrait::damped)
+    if (line.trait == FieldTrait::damped) {
       EXPECT_EQ(values, std::vector<double>(set.size(), 0.0)) << line.name;
+    }
   });
 }
 
