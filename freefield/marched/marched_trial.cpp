@@ -69,10 +69,15 @@ MarchedTrial::MarchedTrial(const ColumnSoil& soil, const MarchedState& state)
     fields->setZero(nodes, 4);
   for (ElementFields* fields : {&before_, &stress_, &strain_, &followed_, &owed_})
     fields->setZero(elements, 4);
-  for (PlaneFields* fields : {&kept_, &faded_, &law_before_, &law_stress_})
+  for (PlaneFields* fields : {&kept_, &faded_, &law_before_, &law_stress_, &scratch_})
     fields->setZero(elements, 3);
   for (PlaneFactors* factors : {&of_law_, &of_step_, &seen_, &taken_})
     factors->resize(elements);
+  relaxes_ = state.relaxation.acts();
+  for (Eigen::Index e = 0; e < elements; ++e) {
+    seen_.set(e, state.relaxation.seen(static_cast<std::size_t>(e)));
+    taken_.set(e, state.relaxation.taken(static_cast<std::size_t>(e)));
+  }
   drag_.setZero(nodes, 2);
   viscosity_.setZero(elements, 2);
   viscous_.setZero(elements, 2);
@@ -96,7 +101,7 @@ void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state,
     share_[e] = 0.5 * scheme.slowness * element.length;
     flowing_[e] = element.flows() ? 1.0 : 0.0;
     per_length_[e] = scheme.dt / element.length;
-    set_factors(e, state.relaxation, element, m);
+    set_stiffness(e, state, m);
     water_stiff_[e] = element.stiffness;
     lowest_[e] = element.stiffness > 0.0 ? element.lowest_excess : 0.0;
     viscosity_.row(e) << element.beta * element.shear_ratio * m / element.length,
@@ -104,9 +109,11 @@ void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state,
     damped_ = damped_ || element.beta > 0.0;
     const ElementStress& stress = state.stress[k];
     before_.row(e) << stress.xx, stress.yy, stress.xy, stress.pressure;
-    const InPlane kept = state.relaxation.kept(k), held = state.relaxation.stress(k);
-    kept_.row(e) << kept.xx, kept.yy, kept.xy;
-    faded_.row(e) << kept.xx - held.xx, kept.yy - held.yy, kept.xy - held.xy;
+    if (relaxes_) {
+      const InPlane kept = state.relaxation.kept(k), held = state.relaxation.stress(k);
+      kept_.row(e) << kept.xx, kept.yy, kept.xy;
+      faded_.row(e) << kept.xx - held.xx, kept.yy - held.yy, kept.xy - held.xy;
+    }
   }
   law_before_ = state.law_stress;
   find_loads(before_);
@@ -126,25 +133,12 @@ void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state,
   whole_given_ = half_given_ + 0.5 * scheme.dt * force_;
 }
 
-void MarchedTrial::PlaneFactors::resize(Eigen::Index elements) {
-  for (ArrayXd* values : {&mean, &deviator, &xy})
-    values->setZero(elements);
-}
-
-void MarchedTrial::set_factors(Eigen::Index e, const ColumnRelaxation& relaxation, const WetElement& element,
-                               double modulus) {
-  const auto set = [e](PlaneFactors& factors, const StiffnessFactors& of, double mean, double deviator,
-                       double xy) {
-    factors.mean[e] = mean * of.area;
-    factors.deviator[e] = deviator * of.shear;
-    factors.xy[e] = xy * of.shear;
-  };
+void MarchedTrial::set_stiffness(Eigen::Index e, const MarchedState& state, double modulus) {
   const auto k = static_cast<std::size_t>(e);
+  const WetElement& element = state.grid.elements[k];
   const double shear = element.shear_ratio * modulus, area = element.lateral_ratio * modulus + shear;
-  set(of_law_, relaxation.seen(k), 2.0 * area, 2.0 * shear, shear);
-  set(of_step_, relaxation.over_a_step(k), 2.0 * area, 2.0 * shear, shear);
-  set(seen_, relaxation.seen(k), 1.0, 1.0, 1.0);
-  set(taken_, relaxation.taken(k), 1.0, 1.0, 1.0);
+  of_law_.set(e, state.relaxation.seen(k), area, shear);
+  of_step_.set(e, state.relaxation.over_a_step(k), area, shear);
 }
 
 /// What stress of the elements does to the nodes: s N of it, and F and F~, in the order of G and R.
@@ -198,7 +192,9 @@ void MarchedTrial::find_strain(const MarchedScheme& scheme) {
 }
 
 void MarchedTrial::elastic_increment(Increments& made) const {
-  made.leftCols<3>() = of_step_(strain_) + faded_;
+  of_step_.apply(strain_, made.leftCols<3>());
+  if (relaxes_)
+    made.leftCols<3>() += faded_;
   made.col(3) = -water_stiff_ * strain_.col(3);
 }
 
@@ -207,9 +203,12 @@ void MarchedTrial::evaluate(const MarchedScheme& scheme, const MarchedState& sta
   move(scheme, increment);
   followed_ = strain_ + state.owed;
   owed_.setZero();
-  const PlaneFields seen = seen_(followed_);
+  if (relaxes_)
+    seen_.apply(followed_, scratch_);
+  else
+    scratch_ = followed_.leftCols<3>();
   const auto pass_on = [&](Eigen::Index c, std::vector<double>& strain) {
-    ArrayXd::Map(strain.data(), std::ssize(strain)) = seen.col(c);
+    ArrayXd::Map(strain.data(), std::ssize(strain)) = scratch_.col(c);
   };
   pass_on(0, dexx_);
   pass_on(1, deyy_);
@@ -231,11 +230,16 @@ void MarchedTrial::settle(const MarchedScheme& scheme, const MarchedState& state
 /// mechanisms.
 void MarchedTrial::find_stress(const MarchedState& state) {
   const SoilState& rest = soil_->initial();
-  law_stress_ = of_law_(owed_);
+  of_law_.apply(owed_, law_stress_);
   law_stress_.col(0) += array(soil_state_.sxx) - array(rest.sxx);
   law_stress_.col(1) += array(soil_state_.syy) - array(rest.syy);
   law_stress_.col(2) += array(soil_state_.sxy);
-  stress_.leftCols<3>() = law_stress_ + kept_ + taken_(law_stress_ - law_before_);
+  if (relaxes_) {
+    taken_.apply(law_stress_ - law_before_, scratch_);
+    stress_.leftCols<3>() = law_stress_ + kept_ + scratch_;
+  } else {
+    stress_.leftCols<3>() = law_stress_;
+  }
   excess_ = array(state.excess) - water_stiff_ * strain_.col(3);
   stress_.col(3) = excess_.max(lowest_);
 }
@@ -276,7 +280,7 @@ void MarchedTrial::accept(const MarchedScheme& scheme, MarchedState& state) {
     state.stress[e] = stress(e);
   Eigen::ArrayXd::Map(state.excess.data(), std::ssize(state.excess)) = excess_;
   state.owed = owed_;
-  for (std::size_t e = 0; e < state.stress.size(); ++e) {
+  for (std::size_t e = 0; relaxes_ && e < state.stress.size(); ++e) {
     const auto k = static_cast<Eigen::Index>(e);
     const Eigen::Array3d change = (law_stress_.row(k) - law_before_.row(k)).transpose();
     state.relaxation.advance(e, {change[0], change[1], change[2]});

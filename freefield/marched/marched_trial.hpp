@@ -2,6 +2,7 @@
 
 #include "freefield/marched/element_strain.hpp"
 #include "freefield/marched/marched_state.hpp"
+#include "freefield/marched/plane_factors.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -79,21 +80,7 @@ private:
   void find_loads(const ElementFields& stress);
   void find_strain(const MarchedScheme& scheme);
   void find_stress(const MarchedState& state);
-  void set_factors(Eigen::Index element, const ColumnRelaxation& relaxation, const WetElement& wet,
-                   double modulus);
-  /// What multiplies the in-plane mean, the deviator and xy of stress or strain in the elements.
-  struct PlaneFactors {
-    Eigen::ArrayXd mean, deviator, xy;
-
-    void resize(Eigen::Index elements);
-    PlaneFields operator()(const auto& fields) const {
-      const Eigen::ArrayXd m = 0.5 * mean * (fields.col(0) + fields.col(1));
-      const Eigen::ArrayXd d = 0.5 * deviator * (fields.col(0) - fields.col(1));
-      PlaneFields result(fields.rows(), 3);
-      result << m + d, m - d, xy * fields.col(2);
-      return result;
-    }
-  };
+  void set_stiffness(Eigen::Index element, const MarchedState& state, double modulus);
   void add_driving_force();
   static NodeVelocity velocity(const NodeFields& fields, std::size_t node) {
     const auto v = fields.row(static_cast<Eigen::Index>(node));
@@ -127,9 +114,11 @@ private:
   PlaneFactors of_law_, of_step_, seen_, taken_;
   PlaneFields kept_, faded_;            ///< what is left of the mechanisms' stress, and what goes, Pa
   PlaneFields law_before_, law_stress_; ///< when the step begins and ends, Pa
-  Eigen::ArrayXd lowest_;               ///< excess pressure in a cavity, Pa
-  Pairs viscosity_, viscous_;           ///< of damping, Pa s/m and Pa
-  ElementFields before_, stress_;       ///< when the step begins and ends
+  PlaneFields scratch_;
+  bool relaxes_ = false;
+  Eigen::ArrayXd lowest_;         ///< excess pressure in a cavity, Pa
+  Pairs viscosity_, viscous_;     ///< of damping, Pa s/m and Pa
+  ElementFields before_, stress_; ///< when the step begins and ends
   Eigen::ArrayXd excess_;
   ElementFields strain_;          ///< of the step
   ElementFields followed_, owed_; ///< what the laws were last called with, and what they still owe

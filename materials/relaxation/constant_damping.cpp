@@ -127,6 +127,8 @@ double worst_error_of_ratio(const DampingBand& band) {
 }
 
 Relaxation relaxation(const ConstantDamping& damping, double ratio) {
+  validate(damping);
+  require(ratio >= 0.0 && ratio < 1.0, "ratio of constant damping", ratio, "in [0, 1)");
   if (ratio == 0.0)
     return {};
   const UnitTable table = unit_table(damping.band);

@@ -22,7 +22,7 @@ void validate(const ConstantDamping& damping);
 
 /// The mechanisms that give soil a damping ratio, Im G*/Re G* = 2 ratio, over the band; none for a ratio of
 /// 0.
-/// @param ratio  of critical, in [0, 1)
+/// @param ratio  of critical, in [0, 1); throws std::invalid_argument as validate(), and for another
 Relaxation relaxation(const ConstantDamping& damping, double ratio);
 
 /// By how much, relative to it, the ratio is off at most in the band; the same for every ratio.

@@ -1,6 +1,7 @@
 #include "scene/soils/viscous_damping.hpp"
 
 #include <numbers>
+#include <stdexcept>
 
 namespace tremolo::scene {
 
@@ -15,7 +16,11 @@ double damping_time(const Damping& damping, double ratio) {
 materials::Relaxation relaxation(const Damping& damping, double ratio) {
   if (damping.model != DampingModel::constant || !damping.reference_hz)
     return {};
-  return materials::relaxation({*damping.reference_hz, damping.band}, ratio);
+  try {
+    return materials::relaxation({*damping.reference_hz, damping.band}, ratio);
+  } catch (const std::invalid_argument&) {
+    return {}; // the key that is out of range is an error of its own
+  }
 }
 
 double relaxing_share_p(const Case& scene, const Layer& layer) {

@@ -92,7 +92,7 @@ TEST(RelaxationStress, IsNotMadeByRotation) {
   }
   for (int n = 0; n < 50; ++n)
     strain(set, 0.0, 0.0, 0.0, 0.02);
-  EXPECT_GT(std::abs(set.sxy[0]), 2e4);
+  EXPECT_GT(std::abs(set.sxy[0]), 1.5e4);
   EXPECT_NEAR(set.viscous_xx[0], 0.0, 1e-6);
   EXPECT_NEAR(set.viscous_yy[0], 0.0, 1e-6);
   EXPECT_NEAR(set.viscous_xy[0], 0.0, 1e-6);
@@ -119,15 +119,18 @@ TEST(RelaxationStress, TurnsWithTheSoil) {
 
 TEST(RelaxationStress, OfWetSoilIsADeviatorAndLeavesTheStiffnessAgainstVolume) {
   Spec spec = damped_box();
+  spec.gravity = 9.81;
   spec.water = {0.0, {}};
   spec.soils.front().pores = {
       .porosity = 0.4, .grain_density = 1300.0 / 0.6, .drainage = materials::Drainage::undrained};
   Domain domain(spec);
   Particles& set = *std::ranges::find_if(domain.sets, [](const Particles& one) { return one.size() > 0; });
   ASSERT_TRUE(set.traits.wet);
+  const double at_rest = set.sxx[0];
   strain(set, 1e-6, 1e-6, 0.0, 0.0);
-  EXPECT_NEAR(set.sxx[0], 2e-6 * (soil.lame() + soil.shear_modulus()), 1e-9 * set.sxx[0]);
-  EXPECT_NEAR(set.viscous_xx[0], 0.0, 1e-9 * set.sxx[0]);
+  const double expected = 2e-6 * (soil.lame() + soil.shear_modulus());
+  EXPECT_NEAR(set.sxx[0] - at_rest, expected, 1e-8 * expected);
+  EXPECT_NEAR(set.viscous_xx[0], 0.0, 1e-9 * expected);
   strain(set, 2e-6, 0.0, 0.0, 0.0);
   EXPECT_GT(set.viscous_xx[0], 0.0);
   EXPECT_EQ(set.viscous_yy[0], -set.viscous_xx[0]);

@@ -116,9 +116,10 @@ TEST(State, OfConstantDampingGoesOnWithTheSameBits) {
   mpm_domain::Spec spec = box(softening_soil());
   spec.soils.front().relaxation = relaxation({3.0, {}}, 0.05);
   expect_exact_resumption(spec);
-  spec.refine = {{{0.0, -2.0, 4.0, 0.0}, 1}};
-  spec.scheme.subcycle = true;
-  expect_exact_resumption(spec);
+  mpm_domain::Spec levels = spec;
+  levels.refine = {{{0.0, -2.0, 4.0, 0.0}, 1}};
+  levels.scheme.subcycle = true;
+  expect_exact_resumption(levels);
   spec.water = {-1.0, {}};
   spec.soils.front().pores = {.porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3};
   expect_exact_resumption(spec);
