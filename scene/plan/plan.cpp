@@ -29,8 +29,7 @@ constexpr double dilatation_cost_ns = 20.0;
 constexpr double plasticity_cost_ns = 60.0;
 constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
 constexpr double damping_cost_ns = 10.0;
-constexpr double relaxation_cost_ns = 10.0; // and for each mechanism
-constexpr double mechanism_cost_ns = 5.0;
+constexpr double mechanism_cost_ns = 5.0; // of constant damping
 constexpr double pressure_cost_ns = 90.0;
 constexpr double flow_cost_ns = 150.0;
 constexpr double seepage_cost_ns = 25.0;
@@ -244,8 +243,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        damped ? damped_bytes : 0.0, damped ? damping_cost_ns : 0.0},
       {"constant damping", relaxes,
        relaxes ? relaxing_soils + ", in the domain" : "no soil of the domain is damped by mechanisms",
-       relaxes ? relaxing_bytes : 0.0,
-       relaxes ? relaxation_cost_ns + mechanism_cost_ns * scene.damping.band.mechanisms : 0.0},
+       relaxes ? relaxing_bytes : 0.0, relaxes ? mechanism_cost_ns * scene.damping.band.mechanisms : 0.0},
       {"pore pressure", wet, pressure_text(scene, flowing_soils, undrained_soils), wet ? wet_bytes : 0.0,
        wet ? pressure_cost_ns : 0.0},
       {"flow of pore water", flows,

@@ -59,18 +59,19 @@ class Damping(unittest.TestCase):
         self.assertEqual(0.0, self.runs["fe", None]["viscous"])
 
     def test_a_damped_domain_is_as_even_as_an_undamped_one(self):
-        """Measured, undamped and damped: 0.18 and 0.18 % (wave), 0.21 and 0.22 % (fe), 0.08 and 0.07 % (mpm)."""
+        """Measured, undamped, viscous, constant: 0.19, 0.19, 0.18 % (wave), 0.22, 0.21, 0.21 % (fe), 0.08, 0.07, 0.07 % (mpm)."""
         for name, damped in product(MODELS, DAMPINGS):
             self.assertLess(self.runs[name, damped]["uneven"], 1.1 * self.runs[name, None]["uneven"], (name, damped))
 
     def test_a_damped_domain_does_what_the_exact_column_does(self):
-        """Measured, undamped and damped: 0.14 and 0.10 % (wave), 0.15 and 0.12 % (fe), 0.19 and 0.13 % (mpm); peaks within 0.1 %."""
+        """Measured, undamped, viscous, constant: 0.14, 0.11, 0.13 % (wave), 0.16, 0.12, 0.14 % (fe), 0.18, 0.13, 0.14 % (mpm);
+        peaks within 0.1 %."""
         for name, damped in product(MODELS, DAMPINGS):
             self.assertLess(self.runs[name, damped]["to_column"], 1.1 * self.runs[name, None]["to_column"], (name, damped))
             self.assertAlmostEqual(1.0, self.runs[name, damped]["peak"], delta=0.005, msg=(name, damped))
 
     def test_the_ledger_closes(self):
-        """Measured: 1e-3 of the work of the boundary undamped, 2e-4 damped."""
+        """Measured: 1e-3 of the work of the boundary undamped, 2e-4 with viscous damping, whose steps are shorter, 9e-4 with constant."""
         for name, damped in product(MODELS, DAMPINGS):
             self.assertLess(self.runs[name, damped]["residual"], self.runs[name, None]["residual"], (name, damped))
 

@@ -148,9 +148,9 @@ TEST(ConstantDampingOnLevels, HasItsRatioWithStepsOfTheLevelsOwn) {
   EXPECT_NEAR((with.ratio - without.ratio) * std::abs(s) / -s.real(), 1.0, 0.02);
 }
 
-/// The shear stress of the wave, rho c v, is three times what the clay bears: mechanisms go no further than
-/// it.
-TEST(ConstantDampingOfClayThatYields, HardlyAddsToItsStrength) {
+/// The shear stress of the wave, rho c v, is twice what the clay bears, elastic until it yields. Mechanisms
+/// have then taken up their shares of its strength and no more, G_U/G_R of it together, and let go of them.
+TEST(ConstantDampingOfClayThatYields, BearsNoMoreThanTheSharesOfItsStrength) {
   constexpr double cohesion = 8.0; // Pa
   materials::MohrCoulomb clay;
   clay.elastic = soil;
