@@ -74,6 +74,8 @@ def allowed(path):
     others = LIBRARIES[folder]
     if folder in PROCESSES and is_process(path):
         others = others | PROCESSES[folder]
+    if "materials" in others:
+        others = others | {"materials/relaxation"}
     return others | {folder, FOR_ALL}
 
 
