@@ -112,7 +112,8 @@ def main():
         _, histories, profile, spectra, _ = column.read(out)
         peak, strain = np.abs(histories[0]["ax"]).max(), profile["peak_gxy"].max()
         results.append((name, yields, peak, spectra, cpu))
-        print(f"| {name} | {'yields' if yields else 'linear'} | {peak / GRAVITY:.2f} | {100.0 * strain:.2f} | {cpu:.1f} |", flush=True)
+        soil = "yields" if yields else "linear"
+        print(f"| {name} | {soil} | {peak / GRAVITY:.2f} | {100.0 * strain:.2f} | {cpu:.1f} |", flush=True)
     print(draw_site(results, folder))
     print(draw_ratios(folder))
 

@@ -71,7 +71,7 @@ class Damping(unittest.TestCase):
             self.assertAlmostEqual(1.0, self.runs[name, damped]["peak"], delta=0.005, msg=(name, damped))
 
     def test_the_ledger_closes(self):
-        """Measured: 1e-3 of the work of the boundary undamped, 2e-4 with viscous damping, whose steps are shorter, 9e-4 with constant."""
+        """Measured: 1e-3 of the work of the boundary undamped, 2e-4 with viscous damping in shorter steps, 9e-4 with constant."""
         for name, damped in product(MODELS, DAMPINGS):
             self.assertLess(self.runs[name, damped]["residual"], self.runs[name, None]["residual"], (name, damped))
 
