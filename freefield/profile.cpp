@@ -85,7 +85,7 @@ double Profile::hydrostatic_pressure(double y) const {
 
 DampingCoefficients coefficients(const Damping& damping, double ratio) {
   constexpr double two_pi = 2.0 * std::numbers::pi;
-  if (ratio == 0.0)
+  if (ratio == 0.0 || std::holds_alternative<ConstantDamping>(damping))
     return {};
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
     const double w1 = two_pi * rayleigh->first_frequency_hz;
@@ -93,6 +93,11 @@ DampingCoefficients coefficients(const Damping& damping, double ratio) {
     return {2.0 * ratio * w1 * w2 / (w1 + w2), 2.0 * ratio / (w1 + w2)};
   }
   return {0.0, 2.0 * ratio / (two_pi * std::get<KelvinVoigtDamping>(damping).reference_frequency_hz)};
+}
+
+materials::Relaxation relaxation(const Damping& damping, double ratio) {
+  const auto* constant = std::get_if<ConstantDamping>(&damping);
+  return constant ? materials::relaxation(*constant, ratio) : materials::Relaxation{};
 }
 
 void validate(const Profile& profile) {
@@ -117,6 +122,8 @@ void validate(const Profile& profile) {
 }
 
 void validate(const Damping& damping) {
+  if (const auto* constant = std::get_if<ConstantDamping>(&damping))
+    return materials::validate(*constant);
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&damping)) {
     require(positive(rayleigh->first_frequency_hz), "first Rayleigh frequency", rayleigh->first_frequency_hz,
             "positive, in Hz");

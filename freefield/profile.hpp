@@ -2,6 +2,7 @@
 
 #include "materials/elastic/elasticity.hpp"
 #include "materials/law/law.hpp"
+#include "materials/relaxation/constant_damping.hpp"
 #include "materials/water/pore_water.hpp"
 
 #include <optional>
@@ -19,6 +20,9 @@ struct Layer {
   /// Set for a layer below the water table: `soil` is then the skeleton, with the density of grains and
   /// water.
   std::optional<materials::PoreSpace> pores = std::nullopt;
+  /// How much of the P-wave modulus relaxes under constant damping where grains and water are one material:
+  /// G/M.
+  double relaxing_share_p = 1.0;
 };
 
 /// The water table of a profile, at an interface of its layers, at the surface or above it.
@@ -59,7 +63,10 @@ struct KelvinVoigtDamping {
   double reference_frequency_hz = 0.0;
 };
 
-using Damping = std::variant<KelvinVoigtDamping, RayleighDamping>;
+/// The layer's ratio in a band of frequencies, by relaxation mechanisms.
+using materials::ConstantDamping;
+
+using Damping = std::variant<KelvinVoigtDamping, RayleighDamping, ConstantDamping>;
 
 /// Damping coefficients of a layer: alpha (1/s) on mass, beta (s) on stiffness.
 struct DampingCoefficients {
@@ -67,8 +74,12 @@ struct DampingCoefficients {
   double beta = 0.0;
 };
 
-/// The coefficients that give a layer its damping ratio; both zero for a ratio of zero, whatever the damping.
+/// The coefficients that give a layer its damping ratio; both zero for a ratio of zero, whatever the damping,
+/// and for constant damping.
 DampingCoefficients coefficients(const Damping& damping, double ratio);
+
+/// The mechanisms that give a layer its damping ratio; none unless damping is constant.
+materials::Relaxation relaxation(const Damping& damping, double ratio);
 
 /// @throws std::invalid_argument naming the layer, the quantity, its value and the allowed range
 void validate(const Profile& profile);

@@ -4,6 +4,7 @@
 // defaults stand in keys.cpp; docs/case-file.md is generated from there.
 
 #include "materials/law/law.hpp"
+#include "materials/relaxation/constant_damping.hpp"
 #include "materials/water/rest_clock.hpp"
 #include "motion/read/read.hpp"
 #include "mpm_domain/spec/lattice.hpp"
@@ -133,9 +134,10 @@ struct Damping {
   DampingModel model = DampingModel::none;
   double ratio = 0.0;                  ///< of soils and layers that have none of their own
   std::array<double, 2> frequencies{}; ///< Hz; of rayleigh
-  /// Hz; of kelvin_voigt and kjartansson, and where domain and columns, which march in time and cannot have a
-  /// ratio that is the same at all frequencies, have that of hysteretic and shake.
+  /// Hz; of kelvin_voigt, kjartansson and constant, and where domain and columns have the ratio of hysteretic
+  /// and shake, which there are none of in time.
   std::optional<double> reference_hz;
+  materials::DampingBand band; ///< of constant
 };
 
 /// Numerics of the free-field models, one table each.

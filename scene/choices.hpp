@@ -25,14 +25,15 @@ constexpr auto words(Wave) {
 }
 
 /// How the damping ratios of layers and half-space depend on frequency.
-enum class DampingModel { none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson };
+enum class DampingModel { none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson, constant };
 constexpr auto words(DampingModel) {
   return word_table<DampingModel>({{DampingModel::none, "none"},
                                    {DampingModel::rayleigh, "rayleigh"},
                                    {DampingModel::kelvin_voigt, "kelvin_voigt"},
                                    {DampingModel::hysteretic, "hysteretic"},
                                    {DampingModel::shake, "shake"},
-                                   {DampingModel::kjartansson, "kjartansson"}});
+                                   {DampingModel::kjartansson, "kjartansson"},
+                                   {DampingModel::constant, "constant"}});
 }
 
 enum class OdeMethod { adams, bdf, erk, imex };

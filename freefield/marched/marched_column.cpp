@@ -74,8 +74,10 @@ MarchedColumn::MarchedColumn(const Profile& profile, const MarchedSettings& sett
       soil_(profile, mesh_), input_(std::move(input)),
       base_(base_impedance(profile.half_space, settings.slowness_x)),
       rise_(rise_to_damped_soil(profile, settings.slowness_x)),
-      state_(wet_grid(profile, mesh_, settings.damping, false), soil_), trial_(soil_, state_),
-      tangent_(mesh_.elements()), iteration_(mesh_.elements(), settings_.tolerance, rounding_of(state_.soil)),
+      state_(wet_grid(profile, mesh_, settings.damping, false), soil_,
+             {profile, mesh_, settings.damping, settings.time_step}),
+      trial_(soil_, state_), tangent_(mesh_.elements()),
+      iteration_(mesh_.elements(), settings_.tolerance, rounding_of(state_.soil)),
       u_(mesh_.node_y.size(), Eigen::Vector2d::Zero()) {
   if (!input_)
     throw std::invalid_argument("the column has no input motion");
@@ -84,11 +86,12 @@ MarchedColumn::MarchedColumn(const Profile& profile, const MarchedSettings& sett
     scheme_.half_space = base_.outgoing;
   damped_ = std::ranges::any_of(state_.grid.elements, [](const WetElement& e) { return e.beta > 0.0; });
   soil_.p_moduli(state_.soil, modulus_);
-  require_not_critical(mesh_, state_.grid, modulus_, settings_.slowness_x);
-  const double limit = step_limit(state_.grid, modulus_, settings_.slowness_x);
+  const std::vector<double> unrelaxed = state_.relaxation.unrelaxed(modulus_);
+  require_not_critical(mesh_, state_.grid, unrelaxed, settings_.slowness_x);
+  const double limit = step_limit(state_.grid, unrelaxed, settings_.slowness_x);
   require(settings_.time_step <= limit, "time step of the column", settings_.time_step,
           "at most " + shortest(limit) + " s, its stability limit at this angle");
-  tangent_.factor(scheme_, state_.grid, modulus_);
+  tangent_.factor(scheme_, state_, modulus_);
   for (MarchedSnapshot& snapshot : snapshots_) {
     snapshot.slowness = settings_.slowness_x;
     snapshot.u = u_;
@@ -191,12 +194,13 @@ void MarchedColumn::remember() {
 void MarchedColumn::check() {
   require_pores(state_.grid, mesh_, time());
   soil_.p_moduli(state_.soil, modulus_);
-  if (const std::string reason = critical(mesh_, state_.grid, modulus_, settings_.slowness_x);
+  const std::vector<double> unrelaxed = state_.relaxation.unrelaxed(modulus_);
+  if (const std::string reason = critical(mesh_, state_.grid, unrelaxed, settings_.slowness_x);
       !reason.empty())
     throw std::runtime_error(
         fmt::format("at {:.4g} s, as the soil has stiffened with its pressure, {}", time(), reason));
-  require_stable(settings_.time_step, step_limit(state_.grid, modulus_, settings_.slowness_x), time());
-  tangent_.follow(scheme_, state_.grid, modulus_);
+  require_stable(settings_.time_step, step_limit(state_.grid, unrelaxed, settings_.slowness_x), time());
+  tangent_.follow(scheme_, state_, modulus_);
 }
 
 void MarchedColumn::sample(std::span<const double> y, std::span<ColumnSample> samples) const {

@@ -7,7 +7,8 @@
 //
 // which elastic soil without drag keeps to rounding. The first line is booked as kinetic; the second by the
 // work of stress and pressure on the strain of each step, by the trapezoidal rule. Drag is booked half a step
-// ahead, where it acts, base and damping at whole levels.
+// ahead, where it acts, base and damping at whole levels. A law that sees a share of the strain has counted
+// that share of the plastic work. The work of relaxation mechanisms is booked as damping.
 
 #include "freefield/marched/marched_column.hpp"
 
@@ -28,9 +29,16 @@ void MarchedColumn::count_work(const BaseDrive& drive) {
     const SoilState& rest = soil_.initial();
     const double gravity = length * (rest.sxx[e] * d.exx + rest.syy[e] * d.eyy);
     spent_.gravity += gravity;
-    spent_.elastic += gravity + 0.5 * length *
-                                    ((before.xx + after.xx) * d.exx + (before.yy + after.yy) * d.eyy +
-                                     (before.xy + after.xy) * d.gxy);
+    const double work =
+        0.5 * length *
+        ((before.xx + after.xx) * d.exx + (before.yy + after.yy) * d.eyy + (before.xy + after.xy) * d.gxy);
+    const auto law_before = state_.law_stress.row(static_cast<Eigen::Index>(e));
+    const InPlane law_after = trial_.law_stress(e);
+    const double of_law = 0.5 * length *
+                          ((law_before[0] + law_after.xx) * d.exx + (law_before[1] + law_after.yy) * d.eyy +
+                           (law_before[2] + law_after.xy) * d.gxy);
+    spent_.elastic += gravity + of_law;
+    spent_.damping += work - of_law;
     spent_.pore -= 0.5 * length * (before.pressure + after.pressure) * d.theta;
     const Vector2d vertical = dt * (trial_.half(e + 1).solid - trial_.half(e).solid);
     spent_.damping += trial_.viscous(e).dot(vertical);
@@ -108,7 +116,8 @@ WetEnergy MarchedColumn::energy() const {
   WetEnergy energy = spent_;
   energy.kinetic = kinetic_energy();
   for (std::size_t e = 0; e < state_.stress.size(); ++e)
-    energy.plastic += state_.grid.elements[e].length * state_.soil.plastic_work[e];
+    energy.plastic +=
+        state_.grid.elements[e].length * state_.soil.plastic_work[e] / state_.relaxation.seen(e).shear;
   energy.elastic -= energy.plastic;
   return energy;
 }

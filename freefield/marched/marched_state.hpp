@@ -1,6 +1,7 @@
 #pragma once
 
 #include "freefield/column.hpp"
+#include "freefield/column_relaxation.hpp"
 #include "freefield/column_soil.hpp"
 #include "freefield/marched/element_strain.hpp"
 #include "freefield/marched/marched_node.hpp"
@@ -20,6 +21,8 @@ namespace tremolo::freefield {
 /// Values of the elements, from the base up, in columns: effective sxx, syy, sxy and pore pressure, or exx,
 /// eyy, gxy and theta.
 using ElementFields = Eigen::Array<double, Eigen::Dynamic, 4>;
+/// Effective sxx, syy and sxy of the elements, Pa.
+using PlaneFields = Eigen::Array<double, Eigen::Dynamic, 3>;
 /// Increments of stress over a step, Pa.
 using Increments = ElementFields;
 
@@ -34,11 +37,14 @@ struct MarchedState {
   /// By which elements have strained more than their laws have followed. It counts as elastic, in `stress`
   /// and not in `soil`, until the next step.
   ElementFields owed;
+  PlaneFields law_stress;      ///< the part of `stress` that is not of relaxation mechanisms
+  ColumnRelaxation relaxation; ///< the other part
 
-  MarchedState(WetGrid made, const ColumnSoil& soil_at_rest)
+  MarchedState(WetGrid made, const ColumnSoil& soil_at_rest, ColumnRelaxation unstressed)
       : grid(std::move(made)), soil(soil_at_rest.initial()), stress(grid.elements.size()),
         excess(grid.elements.size()), momenta(grid.nodes.size()), velocity(grid.nodes.size()),
-        owed(ElementFields::Zero(std::ssize(grid.elements), 4)) {}
+        owed(ElementFields::Zero(std::ssize(grid.elements), 4)),
+        law_stress(PlaneFields::Zero(std::ssize(grid.elements), 3)), relaxation(std::move(unstressed)) {}
 };
 
 /// What does not change in a march.

@@ -3,7 +3,7 @@
 //
 //     J = 1 - C (d strain/d move) (d move/d X),
 //
-// block tridiagonal, J dX = residual. The small-strain damping is left out.
+// block tridiagonal, J dX = residual. Viscous damping is left out.
 
 #include "freefield/marched/marched_tangent.hpp"
 
@@ -58,19 +58,22 @@ StrainByMove strain_by_move(const MarchedScheme& scheme, const WetElement& eleme
   return strains;
 }
 
-Eigen::Matrix4d stiffness(const WetElement& element, double modulus) {
-  const double lateral = element.lateral_ratio * modulus;
+/// Of law, relaxation mechanisms and water over a step, Pa.
+Eigen::Matrix4d stiffness(const WetElement& element, const StiffnessFactors& over_a_step, double modulus) {
+  const double shear = over_a_step.shear * element.shear_ratio * modulus;
+  const double area = over_a_step.area * (element.lateral_ratio + element.shear_ratio) * modulus;
   Eigen::Matrix4d c = Eigen::Matrix4d::Zero();
-  c.topLeftCorner<2, 2>() << modulus, lateral, lateral, modulus;
-  c(2, 2) = element.shear_ratio * modulus;
+  c.topLeftCorner<2, 2>() << area + shear, area - shear, area - shear, area + shear;
+  c(2, 2) = shear;
   c(3, 3) = -element.stiffness;
   return c;
 }
 
 } // namespace
 
-void MarchedTangent::factor(const MarchedScheme& scheme, const WetGrid& grid,
+void MarchedTangent::factor(const MarchedScheme& scheme, const MarchedState& state,
                             const std::vector<double>& moduli) {
+  const WetGrid& grid = state.grid;
   const std::size_t n = grid.elements.size();
   modulus_ = moduli;
   length_.resize(n);
@@ -84,7 +87,7 @@ void MarchedTangent::factor(const MarchedScheme& scheme, const WetGrid& grid,
   };
   for (std::size_t e = 0; e < n; ++e) {
     length_[e] = grid.elements[e].length;
-    const Eigen::Matrix4d c = stiffness(grid.elements[e], moduli[e]);
+    const Eigen::Matrix4d c = stiffness(grid.elements[e], state.relaxation.over_a_step(e), moduli[e]);
     const Eigen::Matrix<double, 4, 6> below = c * strain_by_move(scheme, grid.elements[e], true);
     const Eigen::Matrix<double, 4, 6> above = c * strain_by_move(scheme, grid.elements[e], false);
     matrix_.diagonal(e) = Eigen::Matrix4d::Identity() - below * moves(e, e) - above * moves(e + 1, e);
@@ -102,12 +105,12 @@ void MarchedTangent::solve(Increments& residual) {
   residual = blocks_.transpose();
 }
 
-void MarchedTangent::follow(const MarchedScheme& scheme, const WetGrid& grid,
+void MarchedTangent::follow(const MarchedScheme& scheme, const MarchedState& state,
                             const std::vector<double>& moduli) {
   const auto has_left = [](double now, double then) { return std::abs(now - then) > 0.01 * then; };
   for (std::size_t e = 0; e < moduli.size(); ++e)
-    if (has_left(moduli[e], modulus_[e]) || has_left(grid.elements[e].length, length_[e])) {
-      factor(scheme, grid, moduli);
+    if (has_left(moduli[e], modulus_[e]) || has_left(state.grid.elements[e].length, length_[e])) {
+      factor(scheme, state, moduli);
       return;
     }
 }

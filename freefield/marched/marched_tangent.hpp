@@ -14,11 +14,11 @@ public:
   explicit MarchedTangent(std::size_t elements) : matrix_(elements) {}
 
   /// @param moduli  M of each element, Pa
-  void factor(const MarchedScheme& scheme, const WetGrid& grid, const std::vector<double>& moduli);
+  void factor(const MarchedScheme& scheme, const MarchedState& state, const std::vector<double>& moduli);
 
   /// Factors again where a modulus or a length has left what was factored by more than a per cent: less than
   /// that costs the iteration nothing.
-  void follow(const MarchedScheme& scheme, const WetGrid& grid, const std::vector<double>& moduli);
+  void follow(const MarchedScheme& scheme, const MarchedState& state, const std::vector<double>& moduli);
 
   /// Replaces a residual by the correction of the increment that takes it away where soil is elastic.
   void solve(Increments& residual);

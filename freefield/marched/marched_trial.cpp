@@ -16,9 +16,10 @@
 //     velocities at t + dt   from P, R' and stress + X,    strain (element_strain.hpp),   X = law(strain);
 //     then   P += dt F(stress),  R = R' + dt F~(p).
 //
-// At s = 0 the first line does not need X and this is the two-phase column. Small-strain damping is a viscous
-// stress beta (G dvx/dy, M dvy/dy) in F alone: in proportion to the whole strain rate it would make the
-// problem ill posed, since waves of high frequency would be post-critical.
+// At s = 0 the first line does not need X and this is the two-phase column. Constant damping adds the stress
+// of relaxation mechanisms to that of the law (column_relaxation.hpp), in X. Other small-strain damping is a
+// viscous stress beta (G dvx/dy, M dvy/dy) in F alone: in proportion to the whole strain rate it would make
+// the problem ill posed, since waves of high frequency would be post-critical.
 
 #include "freefield/marched/marched_trial.hpp"
 
@@ -68,13 +69,21 @@ MarchedTrial::MarchedTrial(const ColumnSoil& soil, const MarchedState& state)
     fields->setZero(nodes, 4);
   for (ElementFields* fields : {&before_, &stress_, &strain_, &followed_, &owed_})
     fields->setZero(elements, 4);
+  for (PlaneFields* fields : {&kept_, &faded_, &law_before_, &law_stress_, &scratch_})
+    fields->setZero(elements, 3);
+  for (PlaneFactors* factors : {&of_law_, &of_step_, &seen_, &taken_})
+    factors->resize(elements);
+  relaxes_ = state.relaxation.acts();
+  for (Eigen::Index e = 0; e < elements; ++e) {
+    seen_.set(e, state.relaxation.seen(static_cast<std::size_t>(e)));
+    taken_.set(e, state.relaxation.taken(static_cast<std::size_t>(e)));
+  }
   drag_.setZero(nodes, 2);
   viscosity_.setZero(elements, 2);
   viscous_.setZero(elements, 2);
   mean_.setZero(nodes, 2);
   porosity_.setZero(nodes);
-  for (ArrayXd* values : {&share_, &flowing_, &per_length_, &stiff_, &lateral_stiff_, &shear_stiff_,
-                          &water_stiff_, &lowest_, &excess_})
+  for (ArrayXd* values : {&share_, &flowing_, &per_length_, &water_stiff_, &lowest_, &excess_})
     values->setZero(elements);
   for (std::vector<double>* strain : {&dexx_, &deyy_, &dgxy_})
     strain->resize(state.stress.size());
@@ -92,9 +101,7 @@ void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state,
     share_[e] = 0.5 * scheme.slowness * element.length;
     flowing_[e] = element.flows() ? 1.0 : 0.0;
     per_length_[e] = scheme.dt / element.length;
-    stiff_[e] = m;
-    lateral_stiff_[e] = element.lateral_ratio * m;
-    shear_stiff_[e] = element.shear_ratio * m;
+    set_stiffness(e, state, m);
     water_stiff_[e] = element.stiffness;
     lowest_[e] = element.stiffness > 0.0 ? element.lowest_excess : 0.0;
     if (damped_) {
@@ -103,7 +110,13 @@ void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state,
     }
     const ElementStress& stress = state.stress[k];
     before_.row(e) << stress.xx, stress.yy, stress.xy, stress.pressure;
+    if (relaxes_) {
+      const InPlane kept = state.relaxation.kept(k), held = state.relaxation.stress(k);
+      kept_.row(e) << kept.xx, kept.yy, kept.xy;
+      faded_.row(e) << kept.xx - held.xx, kept.yy - held.yy, kept.xy - held.xy;
+    }
   }
+  law_before_ = state.law_stress;
   find_loads(before_);
   for (Eigen::Index i = 0; i < porosity_.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -119,6 +132,14 @@ void MarchedTrial::begin(const MarchedScheme& scheme, const MarchedState& state,
   add_driving_force();
   half_given_ -= lateral_;
   whole_given_ = half_given_ + 0.5 * scheme.dt * force_;
+}
+
+void MarchedTrial::set_stiffness(Eigen::Index e, const MarchedState& state, double modulus) {
+  const auto k = static_cast<std::size_t>(e);
+  const WetElement& element = state.grid.elements[k];
+  const double shear = element.shear_ratio * modulus, area = element.lateral_ratio * modulus + shear;
+  of_law_.set(e, state.relaxation.seen(k), area, shear);
+  of_step_.set(e, state.relaxation.over_a_step(k), area, shear);
 }
 
 /// What stress of the elements does to the nodes: s N of it, and F and F~, in the order of G and R.
@@ -172,15 +193,10 @@ void MarchedTrial::find_strain(const MarchedScheme& scheme) {
 }
 
 void MarchedTrial::elastic_increment(Increments& made) const {
-  elastic(strain_, made);
-}
-
-/// The effective stress of elastic soil, and the pressure of its water.
-void MarchedTrial::elastic(const ElementFields& strain, ElementFields& stress) const {
-  stress.col(0) = stiff_ * strain.col(0) + lateral_stiff_ * strain.col(1);
-  stress.col(1) = lateral_stiff_ * strain.col(0) + stiff_ * strain.col(1);
-  stress.col(2) = shear_stiff_ * strain.col(2);
-  stress.col(3) = -water_stiff_ * strain.col(3);
+  of_step_.apply(strain_, made.leftCols<3>());
+  if (relaxes_)
+    made.leftCols<3>() += faded_;
+  made.col(3) = -water_stiff_ * strain_.col(3);
 }
 
 void MarchedTrial::evaluate(const MarchedScheme& scheme, const MarchedState& state,
@@ -188,8 +204,12 @@ void MarchedTrial::evaluate(const MarchedScheme& scheme, const MarchedState& sta
   move(scheme, increment);
   followed_ = strain_ + state.owed;
   owed_.setZero();
+  if (relaxes_)
+    seen_.apply(followed_, scratch_);
+  else
+    scratch_ = followed_.leftCols<3>();
   const auto pass_on = [&](Eigen::Index c, std::vector<double>& strain) {
-    ArrayXd::Map(strain.data(), std::ssize(strain)) = followed_.col(c);
+    ArrayXd::Map(strain.data(), std::ssize(strain)) = scratch_.col(c);
   };
   pass_on(0, dexx_);
   pass_on(1, deyy_);
@@ -207,13 +227,20 @@ void MarchedTrial::settle(const MarchedScheme& scheme, const MarchedState& state
   find_stress(state);
 }
 
-/// The stress of the elements by their laws, with what they are owed as elastic.
+/// The stress of the elements by their laws, with what they are owed as elastic, and by relaxation
+/// mechanisms.
 void MarchedTrial::find_stress(const MarchedState& state) {
   const SoilState& rest = soil_->initial();
-  elastic(owed_, stress_);
-  stress_.col(0) += array(soil_state_.sxx) - array(rest.sxx);
-  stress_.col(1) += array(soil_state_.syy) - array(rest.syy);
-  stress_.col(2) += array(soil_state_.sxy);
+  of_law_.apply(owed_, law_stress_);
+  law_stress_.col(0) += array(soil_state_.sxx) - array(rest.sxx);
+  law_stress_.col(1) += array(soil_state_.syy) - array(rest.syy);
+  law_stress_.col(2) += array(soil_state_.sxy);
+  if (relaxes_) {
+    taken_.apply(law_stress_ - law_before_, scratch_);
+    stress_.leftCols<3>() = law_stress_ + kept_ + scratch_;
+  } else {
+    stress_.leftCols<3>() = law_stress_;
+  }
   excess_ = array(state.excess) - water_stiff_ * strain_.col(3);
   stress_.col(3) = excess_.max(lowest_);
 }
@@ -254,6 +281,12 @@ void MarchedTrial::accept(const MarchedScheme& scheme, MarchedState& state) {
     state.stress[e] = stress(e);
   Eigen::ArrayXd::Map(state.excess.data(), std::ssize(state.excess)) = excess_;
   state.owed = owed_;
+  for (std::size_t e = 0; relaxes_ && e < state.stress.size(); ++e) {
+    const auto k = static_cast<Eigen::Index>(e);
+    const Eigen::Array3d change = (law_stress_.row(k) - law_before_.row(k)).transpose();
+    state.relaxation.advance(e, {change[0], change[1], change[2]});
+  }
+  state.law_stress = law_stress_;
   std::swap(state.soil, soil_state_);
 }
 

@@ -2,6 +2,7 @@
 
 #include "freefield/marched/element_strain.hpp"
 #include "freefield/marched/marched_state.hpp"
+#include "freefield/marched/plane_factors.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -51,10 +52,15 @@ public:
     const auto d = strain_.row(static_cast<Eigen::Index>(element));
     return {d[0], d[1], d[2], d[3]};
   }
-  /// At the end of the step, Pa.
+  /// At the end of the step, Pa, of relaxation mechanisms included.
   ElementStress stress(std::size_t element) const {
     const auto s = stress_.row(static_cast<Eigen::Index>(element));
     return {s[0], s[1], s[2], s[3]};
+  }
+  /// Effective stress of an element at the end of the step without that of relaxation mechanisms, Pa.
+  InPlane law_stress(std::size_t element) const {
+    const auto s = law_stress_.row(static_cast<Eigen::Index>(element));
+    return {s[0], s[1], s[2]};
   }
   /// Vertical stress (sxy, syy) of the small-strain damping of an element, Pa.
   Eigen::Vector2d viscous(std::size_t element) const {
@@ -74,7 +80,7 @@ private:
   void find_loads(const ElementFields& stress);
   void find_strain(const MarchedScheme& scheme);
   void find_stress(const MarchedState& state);
-  void elastic(const ElementFields& strain, ElementFields& stress) const;
+  void set_stiffness(Eigen::Index element, const MarchedState& state, double modulus);
   void add_driving_force();
   static NodeVelocity velocity(const NodeFields& fields, std::size_t node) {
     const auto v = fields.row(static_cast<Eigen::Index>(node));
@@ -101,8 +107,15 @@ private:
   NodeFields momenta_, half_, whole_;
   Pairs mean_; ///< velocity of both phases at the end of the step, m/s
 
-  // In the elements: s h/2, 1 where water flows, dt/h, and the stiffness of soil and water, Pa.
-  Eigen::ArrayXd share_, flowing_, per_length_, stiff_, lateral_stiff_, shear_stiff_, water_stiff_;
+  // In the elements: s h/2, 1 where water flows, dt/h, and the stiffness of the water, Pa.
+  Eigen::ArrayXd share_, flowing_, per_length_, water_stiff_;
+  // Elastic stiffness, Pa, of the laws, and with what relaxation mechanisms add over a step; what laws see of
+  // the strain, and mechanisms take of the laws' stress.
+  PlaneFactors of_law_, of_step_, seen_, taken_;
+  PlaneFields kept_, faded_;            ///< what is left of the mechanisms' stress, and what goes, Pa
+  PlaneFields law_before_, law_stress_; ///< when the step begins and ends, Pa
+  PlaneFields scratch_;
+  bool relaxes_ = false;
   Eigen::ArrayXd lowest_;         ///< excess pressure in a cavity, Pa
   Pairs viscosity_, viscous_;     ///< of damping, Pa s/m and Pa
   ElementFields before_, stress_; ///< when the step begins and ends

@@ -47,7 +47,9 @@ std::unique_ptr<OdePolarisation> polarisation(Wave wave, const Profile& profile,
   for (std::size_t e = 0; e < grid.mesh.elements(); ++e) {
     const Layer& layer = profile.layers[grid.mesh.element_layer[e]];
     const DampingCoefficients c = coefficients(settings.damping, layer.damping_ratio);
-    cells.push_back({grid.mesh.length(e), layer.soil.density, modulus(layer.soil), c.alpha, c.beta});
+    cells.push_back({grid.mesh.length(e), layer.soil.density, modulus(layer.soil), c.alpha, c.beta,
+                     relaxation(settings.damping, layer.damping_ratio)
+                         .on_share(wave == Wave::shear ? 1.0 : layer.relaxing_share_p)});
     const auto backbone = shear_backbone(profile, grid.mesh.element_layer[e]);
     if (wave == Wave::shear && backbone)
       nonlinear.push_back({e, *backbone});

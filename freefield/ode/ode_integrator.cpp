@@ -144,8 +144,8 @@ struct OdeIntegrator::Sundials {
     N_VConst(0.0, y.get());
     std::copy(absolute_tolerance.begin(), absolute_tolerance.end(), values(tolerance.get()).begin());
     if (settings.method == OdeMethod::bdf || settings.method == OdeMethod::imex) {
-      matrix.reset(SUNBandMatrix(static_cast<sunindextype>(system.size()), OdeSystem::bandwidth,
-                                 OdeSystem::bandwidth, context.get()));
+      matrix.reset(SUNBandMatrix(static_cast<sunindextype>(system.size()), system.bandwidth(),
+                                 system.bandwidth(), context.get()));
       linear.reset(SUNLinSol_Band(y.get(), matrix.get(), context.get()));
     }
     switch (settings.method) {

@@ -17,18 +17,21 @@ namespace {
 /// Steps within one served interval after which a column is taken for one that never gets there.
 constexpr int most_steps = 100'000;
 
-/// One a state variable: velocity (m/s), strain over the cell's wave speed, displacement over a second.
-std::vector<double> tolerances(const std::vector<OdeCell>& cells, double velocity) {
-  std::vector<double> tolerance(2 * cells.size() + 1, velocity);
+/// One a state variable: velocity (m/s), strain and its memory over the cell's wave speed, displacement over
+/// a second.
+std::vector<double> tolerances(const OdeSystem& system, const std::vector<OdeCell>& cells, double velocity) {
+  std::vector<double> tolerance(system.size(), velocity);
   for (std::size_t e = 0; e < cells.size(); ++e)
-    tolerance[OdeSystem::strain_index(e)] = velocity * std::sqrt(cells[e].density / cells[e].modulus);
+    for (std::size_t i = system.strain_index(e); i < system.velocity_index(e + 1); ++i)
+      tolerance[i] = velocity * std::sqrt(cells[e].density / cells[e].modulus);
   return tolerance;
 }
 
-std::vector<double> levels(const StaggeredGrid& grid) {
+/// Where each state variable is, m.
+std::vector<double> levels(const OdeSystem& system, const StaggeredGrid& grid) {
   std::vector<double> y = {grid.mesh.node_y.front()};
   for (std::size_t e = 0; e < grid.mesh.elements(); ++e) {
-    y.push_back(grid.stress_y[e]);
+    y.resize(system.velocity_index(e + 1), grid.stress_y[e]);
     y.push_back(grid.mesh.node_y[e + 1]);
   }
   return y;
@@ -52,8 +55,9 @@ bool OdePolarisation::is_at_rest_until(double time) {
       continue;
     }
     settings_.start_time = look(quiet_);
-    integrator_ = std::make_unique<OdeIntegrator>(
-        system_, settings_, tolerances(cells_, settings_.absolute_tolerance), levels(grid_));
+    integrator_ = std::make_unique<OdeIntegrator>(system_, settings_,
+                                                  tolerances(system_, cells_, settings_.absolute_tolerance),
+                                                  levels(system_, grid_));
   }
   return !integrator_;
 }
@@ -77,15 +81,15 @@ void OdePolarisation::serve(double time) {
   integrator_->state(time, 1, rate_);
   displacement_[0] = state_[0];
   for (std::size_t e = 0; e < cells_.size(); ++e)
-    displacement_[e + 1] = displacement_[e] + cells_[e].length * state_[OdeSystem::strain_index(e)];
+    displacement_[e + 1] = displacement_[e] + cells_[e].length * state_[system_.strain_index(e)];
 }
 
 double OdePolarisation::strain_at(const ColumnMesh::Place& place, double y) const {
   const auto [lower, upper, weight] = grid_.mesh.centres(place);
-  const double below = state_[OdeSystem::strain_index(lower)];
+  const double below = state_[system_.strain_index(lower)];
   if (lower == upper)
     return below;
-  const double above = state_[OdeSystem::strain_index(upper)];
+  const double above = state_[system_.strain_index(upper)];
   return std::lerp(below, above,
                    (y - grid_.stress_y[lower]) / (grid_.stress_y[upper] - grid_.stress_y[lower]));
 }

@@ -2,6 +2,7 @@
 
 #include "freefield/column.hpp"
 #include "freefield/ode/ode_soil.hpp"
+#include "materials/relaxation/relaxation.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -11,11 +12,12 @@
 namespace tremolo::freefield {
 
 struct OdeCell {
-  double length = 0.0;  ///< m
-  double density = 0.0; ///< kg/m3
-  double modulus = 0.0; ///< at small strain, Pa
-  double alpha = 0.0;   ///< mass-proportional damping, 1/s
-  double beta = 0.0;    ///< stiffness-proportional damping, s
+  double length = 0.0;                   ///< m
+  double density = 0.0;                  ///< kg/m3
+  double modulus = 0.0;                  ///< at small strain, Pa
+  double alpha = 0.0;                    ///< mass-proportional damping, 1/s
+  double beta = 0.0;                     ///< stiffness-proportional damping, s
+  materials::Relaxation relaxation = {}; ///< constant damping
 };
 
 /// What the column stands on: rho c of the half-space (Pa s/m), the input motion (m/s) and what
@@ -28,22 +30,27 @@ struct OdeBase {
 };
 
 /// The ordinary differential equations of one polarisation, with the state
-///     u_b, e_0, v_1, e_1, v_2, ... e_{n-1}, v_n:
-/// displacement of the base (m), strains of the cells and velocities of the nodes (m/s) from the base up. The
-/// Jacobian has two bands on either side of the diagonal.
+///     u_b, e_0, a_0, v_1, e_1, a_1, v_2, ... e_{n-1}, a_{n-1}, v_n:
+/// displacement of the base (m), strains of the cells, what each of their relaxation mechanisms remembers of
+/// it, and velocities of the nodes (m/s) from the base up. All cells have as many mechanisms as the one with
+/// the most; those that are too many stand still.
 class OdeSystem {
 public:
-  static constexpr long bandwidth = 2;
   using State = std::span<const double>;
   using Derivative = std::span<double>;
 
   /// @param soil  the cells that are not linear elastic
   OdeSystem(std::vector<OdeCell> cells, OdeBase base, OdeSoil soil);
 
-  std::size_t size() const { return 2 * cells_.size() + 1; }
+  std::size_t size() const { return stride_ * cells_.size() + 1; }
   std::size_t cells() const { return cells_.size(); }
-  static std::size_t strain_index(std::size_t cell) { return 1 + 2 * cell; }
-  static std::size_t velocity_index(std::size_t node) { return 2 * node; } ///< of a node above the base
+  /// How far from the diagonal the Jacobian has entries.
+  long bandwidth() const { return static_cast<long>(stride_); }
+  std::size_t strain_index(std::size_t cell) const { return 1 + stride_ * cell; }
+  std::size_t memory_index(std::size_t cell, std::size_t mechanism) const {
+    return strain_index(cell) + 1 + mechanism;
+  }
+  std::size_t velocity_index(std::size_t node) const { return stride_ * node; } ///< of a node above the base
 
   /// dy/dt, and its two parts: that of the elastic waves and that of the stiffness-proportional damping,
   /// which is linear in the velocities and depends on nothing else.
@@ -80,12 +87,18 @@ public:
 private:
   void march(double time, State y, Derivative rate, double damping) const;
   bool is_nonlinear(std::size_t cell) const { return soil_index_[cell] < soil_.cells().size(); }
+  /// Of the law, Pa.
   double soil_stress(double time, std::size_t cell, double strain, double strain_rate) const;
-  double tangent(double time, State y, std::size_t cell) const;
+  /// Of the law's stress by strain, Pa.
+  double soil_tangent(double time, State y, std::size_t cell) const;
+  /// Of law and mechanisms, given that of the law, Pa.
+  double stress_with(State y, std::size_t cell, double soil_stress) const;
+  /// Of the stress of law and mechanisms by time, Pa/s.
+  double stress_rate(double time, State y, State y_rate, std::size_t cell) const;
+  void remember(State y, std::size_t cell, double soil_stress, Derivative rate) const;
   double strain_rate(double time, State y, std::size_t cell) const;
-  /// Stress of the lowest cell without damping; its strain rate depends on the base's velocity, and that on
-  /// it.
-  double lowest_stress(double time, State y) const;
+  /// Stress of the lowest cell by its law; its strain rate depends on the base's velocity, and that on it.
+  double lowest_soil_stress(double time, State y) const;
   double undamped_base_velocity(double time, double stress) const;
   double base_velocity(double time, State y, double stress) const;
   /// Damping stress per difference of velocities over the cell, Pa s/m; that of the lowest cell per
@@ -94,6 +107,7 @@ private:
   double input_acceleration(double time) const;
 
   std::vector<OdeCell> cells_;
+  std::size_t stride_ = 2; ///< variables from one node to the next
   OdeBase base_;
   OdeSoil soil_;
   std::vector<std::size_t> soil_index_; ///< of a cell in soil_, or their number

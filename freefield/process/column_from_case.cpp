@@ -6,6 +6,7 @@
 #include "freefield/twophase/two_phase_column.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/wave/motion.hpp"
+#include "scene/soils/viscous_damping.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>
@@ -42,6 +43,7 @@ enum class Water { in_total_stress, two_phases };
 /// together.
 Layer layer_from_case(const scene::Case& scene, const scene::Layer& layer, double element_size, Water water) {
   Layer made{layer.thickness, layer.elastic, layer.damping};
+  made.relaxing_share_p = scene::relaxing_share_p(scene, layer);
   if (!layer.soil)
     return made;
   const scene::Soil& soil = scene.soils[*layer.soil];
@@ -79,6 +81,8 @@ Profile profile_from_case(const scene::Case& scene, const scene::SourceProcess& 
 Damping damping_from_case(const scene::Case& scene) {
   if (scene.damping.model == scene::DampingModel::rayleigh)
     return RayleighDamping{scene.damping.frequencies[0], scene.damping.frequencies[1]};
+  if (scene.damping.model == scene::DampingModel::constant)
+    return ConstantDamping{scene.damping.reference_hz.value_or(1.0), scene.damping.band};
   return KelvinVoigtDamping{scene.damping.reference_hz.value_or(1.0)}; // without it no layer has a ratio
 }
 

@@ -4,10 +4,10 @@
 //     (1-n) rho_s a_s + n rho_f a_f = d(sigma' - p)/dy,    rho_f a_f,y = -dp/dy - (n rho_f g/k) w_y,
 //     dp/dt = -(K_f/n) d(v_s + n w)/dy,                    rho_f a_f,x = -(n rho_f g/k) w_x,
 //
-// sigma' = (sxy, syy) from the law, and beta C d eps/dt of damping, C elastic in the present state of the
-// law. With linear velocities and p constant in an element the second line is the dual of the first: w n, the
-// flux, is what is continuous, and nothing flows at rest whatever n and k do. Central differences: from t to
-// t + dt
+// sigma' = (sxy, syy) from the law, and of damping either beta C d eps/dt, C elastic in the present state of
+// the law, or the stress of relaxation mechanisms (column_relaxation.hpp). With linear velocities and p
+// constant in an element the second line is the dual of the first: w n, the flux, is what is continuous, and
+// nothing flows at rest whatever n and k do. Central differences: from t to t + dt
 //
 //     u += dt v,    sigma' by the law,    p* -= dt Q d(v_s + n_I w)/h,    p = max(p*, p_cav - p_0),
 //
@@ -53,9 +53,11 @@ TwoPhaseColumn::TwoPhaseColumn(const Profile& profile, const TwoPhaseSettings& s
     : settings_(settings), mesh_(mesh_profile(checked(profile, settings), settings.max_element_size)),
       rise_(rise_to_damped_soil(profile)),
       grid_(wet_grid(profile, mesh_, settings.damping, settings.base == BaseKind::compliant)),
-      soil_(profile, mesh_), input_(std::move(input)), state_(soil_.initial()), u_(mesh_.node_y.size()),
-      v_(u_.size()), before_(u_.size()), excess_(mesh_.elements()), deyy_(excess_.size()),
-      dgxy_(excess_.size()), shear_(excess_.size()), vertical_(excess_.size()), pressure_(excess_.size()),
+      soil_(profile, mesh_), relaxation_(profile, mesh_, settings.damping, settings.time_step),
+      input_(std::move(input)), state_(soil_.initial()), u_(mesh_.node_y.size()), v_(u_.size()),
+      before_(u_.size()), excess_(mesh_.elements()), deyy_(excess_.size()), dgxy_(excess_.size()),
+      seen_exx_(excess_.size()), seen_eyy_(excess_.size()), seen_gxy_(excess_.size()), shear_(excess_.size()),
+      vertical_(excess_.size()), pressure_(excess_.size()),
       lengths_(excess_.size()), snapshots_{WetSnapshot(mesh_.elements()), WetSnapshot(mesh_.elements()),
                                            WetSnapshot(mesh_.elements())} {
   if (!input_)
@@ -64,7 +66,7 @@ TwoPhaseColumn::TwoPhaseColumn(const Profile& profile, const TwoPhaseSettings& s
   if (settings_.base_pressure && grid_.elements.front().flows())
     grid_.nodes.front().sealed = false;
   soil_.p_moduli(state_, modulus_);
-  const double limit = step_limit(grid_, modulus_);
+  const double limit = step_limit();
   require(settings_.time_step <= limit, "time step of the column", settings_.time_step,
           "at most " + shortest(limit) + " s, the stability limit of central differences");
 }
@@ -91,8 +93,12 @@ void TwoPhaseColumn::step() {
   if (steps_ % steps_between_checks == 0) {
     require_pores(grid_, mesh_, time());
     soil_.p_moduli(state_, modulus_);
-    require_stable(settings_.time_step, step_limit(grid_, modulus_), time());
+    require_stable(settings_.time_step, step_limit(), time());
   }
+}
+
+double TwoPhaseColumn::step_limit() const {
+  return freefield::step_limit(grid_, relaxation_.unrelaxed(modulus_));
 }
 
 void TwoPhaseColumn::strain_soil() {
@@ -101,16 +107,24 @@ void TwoPhaseColumn::strain_soil() {
     const double scale = dt / grid_.elements[e].length;
     dgxy_[e] = scale * (v_[e + 1][0].solid - v_[e][0].solid);
     deyy_[e] = scale * (v_[e + 1][1].solid - v_[e][1].solid);
+    const InPlane seen = relaxation_.seen(e)({.yy = deyy_[e], .xy = dgxy_[e]});
+    seen_exx_[e] = seen.xx;
+    seen_eyy_[e] = seen.yy;
+    seen_gxy_[e] = seen.xy;
   }
-  sxy_before_ = state_.sxy;
+  sxx_before_ = state_.sxx;
   syy_before_ = state_.syy;
-  soil_.update(state_, deyy_, dgxy_);
+  sxy_before_ = state_.sxy;
+  soil_.update(state_, seen_exx_, seen_eyy_, seen_gxy_);
   if (damped_)
     soil_.degraded_moduli(state_, degraded_);
   for (std::size_t e = 0; e < deyy_.size(); ++e) {
     const WetElement& element = grid_.elements[e];
-    double shear = soil_.shear(state_, e);
-    double vertical = soil_.vertical(state_, e);
+    relaxation_.advance(
+        e, {state_.sxx[e] - sxx_before_[e], state_.syy[e] - syy_before_[e], state_.sxy[e] - sxy_before_[e]});
+    const InPlane relaxing = relaxation_.stress(e);
+    double shear = soil_.shear(state_, e) + relaxing.xy;
+    double vertical = soil_.vertical(state_, e) + relaxing.yy;
     if (damped_) {
       const double viscosity = element.beta * degraded_[e] / dt;
       shear += viscosity * element.shear_ratio * dgxy_[e];
@@ -225,8 +239,9 @@ void TwoPhaseColumn::remember() {
                              shortest(input.x) + ", " + shortest(input.y) + " m/s");
   }
   for (std::size_t e = 0; e < excess_.size(); ++e) {
-    now.sxx[e] = soil_.lateral(state_, e) +
-                 grid_.elements[e].lateral_ratio * (vertical_[e] - soil_.vertical(state_, e));
+    const InPlane relaxing = relaxation_.stress(e);
+    const double viscous = vertical_[e] - soil_.vertical(state_, e) - relaxing.yy;
+    now.sxx[e] = soil_.lateral(state_, e) + relaxing.xx + grid_.elements[e].lateral_ratio * viscous;
     now.syy[e] = vertical_[e];
     now.sxy[e] = shear_[e];
     now.pressure[e] = pressure_[e];

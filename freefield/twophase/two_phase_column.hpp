@@ -3,6 +3,7 @@
 #include "freefield/base_motion.hpp"
 #include "freefield/column.hpp"
 #include "freefield/column_mesh.hpp"
+#include "freefield/column_relaxation.hpp"
 #include "freefield/column_soil.hpp"
 #include "freefield/profile.hpp"
 #include "freefield/twophase/node_kick.hpp"
@@ -66,6 +67,7 @@ private:
   };
 
   void strain_soil();
+  double step_limit() const;
   void press_water();
   void stretch();
   void kick();
@@ -82,6 +84,7 @@ private:
   Rise rise_;
   WetGrid grid_;
   ColumnSoil soil_;
+  ColumnRelaxation relaxation_;
   InputVelocity input_;
   SoilState state_;
   std::vector<WetSnapshot::Vector> u_;        ///< of the solid, m
@@ -89,16 +92,17 @@ private:
   std::vector<std::array<Phases, 2>> before_; ///< a step ago
   std::vector<double> excess_;                ///< pore pressure at the centres, below cavitation too, Pa
   std::vector<double> deyy_, dgxy_;           ///< strain of the step
-  std::vector<double> modulus_;               ///< M at the present stress, Pa
-  std::vector<double> degraded_;              ///< M in the present state, of damping, Pa
-  std::vector<double> shear_, vertical_, pressure_; ///< at the centres, damping included, Pa
-  std::vector<double> sxy_before_, syy_before_;     ///< of the soil a step ago, Pa
-  std::vector<double> lengths_;                     ///< of the elements, m
-  Velocity reference_;                              ///< v_ref at the present time, m/s
-  std::array<double, 2> base_force_{};              ///< of the lowest element on the base node, Pa
-  std::array<WetSnapshot, 3> snapshots_;            ///< now, one and two steps ago
-  WetEnergy spent_;                                 ///< without the kinetic energy; elastic with plastic work
-  Power power_;                                     ///< at the present time
+  std::vector<double> seen_exx_, seen_eyy_, seen_gxy_;       ///< what the laws see of it
+  std::vector<double> modulus_;                              ///< M at the present stress, Pa
+  std::vector<double> degraded_;                             ///< M in the present state, of damping, Pa
+  std::vector<double> shear_, vertical_, pressure_;          ///< at the centres, damping included, Pa
+  std::vector<double> sxx_before_, syy_before_, sxy_before_; ///< of the soil a step ago, Pa
+  std::vector<double> lengths_;                              ///< of the elements, m
+  Velocity reference_;                                       ///< v_ref at the present time, m/s
+  std::array<double, 2> base_force_{};                       ///< of the lowest element on the base node, Pa
+  std::array<WetSnapshot, 3> snapshots_;                     ///< now, one and two steps ago
+  WetEnergy spent_; ///< without the kinetic energy; elastic with plastic work
+  Power power_;     ///< at the present time
   long steps_ = 0;
   bool damped_ = false;
 };

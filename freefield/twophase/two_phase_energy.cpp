@@ -5,7 +5,9 @@
 //
 // n_I = m_f/m~_f; drag is implicit and takes w+. An element's stress and pressure give -sigma'.d eps/dt and
 // p d(v_s + n w)/dy of F and F~; they are booked by the trapezoidal rule on the strain of the step, as is the
-// power of base, load, drag and dashpots in time.
+// power of base, load, drag and dashpots in time. A law that sees a share of the strain has counted that
+// share of the plastic work. The work of relaxation mechanisms is booked as damping; what they still hold of
+// it they give back within seconds.
 
 #include "freefield/twophase/two_phase_column.hpp"
 
@@ -87,7 +89,7 @@ WetEnergy TwoPhaseColumn::energy() const {
       energy.kinetic += 0.5 * (grid_.nodes[i].solid * solid * solid + grid_.nodes[i].fluid * fluid * fluid);
     }
   for (std::size_t e = 0; e < lengths_.size(); ++e)
-    energy.plastic += grid_.elements[e].length * state_.plastic_work[e];
+    energy.plastic += grid_.elements[e].length * state_.plastic_work[e] / relaxation_.seen(e).shear;
   energy.elastic -= energy.plastic;
   return energy;
 }

@@ -1,6 +1,7 @@
 #include "freefield/twophase/wet_checks.hpp"
 
 #include "base/require.hpp"
+#include "freefield/column_relaxation.hpp"
 #include "freefield/column_soil.hpp"
 
 #include <fmt/format.h>
@@ -31,6 +32,7 @@ RestingColumn resting_column(const Profile& profile, double max_element_size, co
   const ColumnSoil soil(profile, column.mesh);
   SoilState state = soil.initial();
   soil.p_moduli(state, column.moduli);
+  column.moduli = ColumnRelaxation(profile, column.mesh, damping, 0.0).unrelaxed(std::move(column.moduli));
   column.grid = wet_grid(profile, column.mesh, damping, false);
   return column;
 }

@@ -23,7 +23,7 @@ void validate_march(const Profile& profile, const Damping& damping, double time_
 struct RestingColumn {
   ColumnMesh mesh;
   WetGrid grid;
-  std::vector<double> moduli; ///< M of the skeleton in each element, Pa
+  std::vector<double> moduli; ///< M of the skeleton in each element while nothing relaxes, Pa
 };
 
 /// @throws std::invalid_argument for a profile with values out of range, or an initial stress beyond the

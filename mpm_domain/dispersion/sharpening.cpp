@@ -133,11 +133,13 @@ double planned_step(const Ground& ground) {
     return *scheme.dt;
   double least = std::numeric_limits<double>::infinity();
   for (const Particles& set : ground.sets)
-    if (set.size() > 0)
-      least = std::min(
-          least,
-          damped_step(largest_courant_number * ground.grid.h / materials::elasticity(set.law).p_wave_speed(),
-                      ground.spec.soils[set.soil_index].damping_time, share_of(scheme.order)));
+    if (set.size() > 0) {
+      const Soil& soil = ground.spec.soils[set.soil_index];
+      const double speed =
+          materials::elasticity(set.law).p_wave_speed() * std::sqrt(soil.relaxation.unrelaxed());
+      least = std::min(least, damped_step(largest_courant_number * ground.grid.h / speed, soil.damping_time,
+                                          share_of(scheme.order)));
+    }
   return scheme.fraction * least;
 }
 

@@ -31,9 +31,9 @@ const std::vector<ParticleFieldDescription>& particle_field_table() {
       {"box_xx", "m2", "moments M of the box", own_boxes, shared, "", &F::box_xx},
       {"box_xy", "m2", "moments M of the box", own_boxes, shared, "", &F::box_xy},
       {"box_yy", "m2", "moments M of the box", own_boxes, shared, "", &F::box_yy},
-      {"viscous_xx", "Pa", "viscous stress, tension positive", damped, copied, "", &F::viscous_xx},
-      {"viscous_yy", "Pa", "viscous stress, tension positive", damped, copied, "", &F::viscous_yy},
-      {"viscous_xy", "Pa", "viscous stress", damped, copied, "", &F::viscous_xy},
+      {"viscous_xx", "Pa", "stress of damping, tension positive", damped, copied, "", &F::viscous_xx},
+      {"viscous_yy", "Pa", "stress of damping, tension positive", damped, copied, "", &F::viscous_yy},
+      {"viscous_xy", "Pa", "stress of damping", damped, copied, "", &F::viscous_xy},
       {"pore_pressure", "Pa", "pore pressure, were there no cavitation", wet, copied, "", &F::pore_pressure},
       {"pressure_at_rest", "Pa", "pore pressure before the shaking", wet, copied, "", &F::pressure_at_rest},
       {"vertical_at_rest", "Pa", "effective syy of the cell before the shaking", wet, copied, "",
@@ -49,6 +49,18 @@ const std::vector<ParticleFieldDescription>& particle_field_table() {
       {"head_slope_y", "1", "gradient of this head", seeping, copied, "", &F::head_slope_y},
   };
   return table;
+}
+
+std::vector<ParticleFieldDescription> relaxation_fields(std::size_t mechanisms) {
+  std::vector<ParticleFieldDescription> fields;
+  for (std::size_t j = 1; j <= mechanisms; ++j)
+    for (const char* component : {"xx", "yy", "xy"})
+      fields.push_back({.name = "relaxing_" + std::to_string(j) + "_" + component,
+                        .unit = "Pa",
+                        .meaning = "stress of a relaxation mechanism, tension positive",
+                        .trait = FieldTrait::damped,
+                        .on_cut = OnCut::copied});
+  return fields;
 }
 
 std::size_t bytes_per_particle(ParticleTraits traits) {

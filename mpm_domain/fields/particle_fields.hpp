@@ -17,7 +17,7 @@ enum class FieldTrait {
   affine,    ///< with the transfer apic
   bilinear,  ///< with reduced dispersion
   own_boxes, ///< where boxes follow the soil
-  damped,    ///< of soil with viscous damping
+  damped,    ///< of soil with damping
   wet,       ///< of soil below the water table that has a pore pressure
   flowing,   ///< of soil whose pore water flows
   flowing_affine,
@@ -40,8 +40,9 @@ struct ParticleFields {
   /// sum S v (x_i - x)(y_i - y), m3/s: the velocity that is as the product of both distances. It carries
   /// neither momentum nor angular momentum (PolyPIC: Fu et al. 2017).
   std::vector<double> cross_x, cross_y;
-  std::vector<double> sxx, syy, szz, sxy;                 ///< Cauchy stress, tension positive
-  std::vector<double> viscous_xx, viscous_yy, viscous_xy; ///< stress of viscous damping (viscous_stress.hpp)
+  std::vector<double> sxx, syy, szz, sxy; ///< Cauchy stress, tension positive
+  /// stress of damping (viscous_stress.hpp, or the sum of relaxation_stress.hpp)
+  std::vector<double> viscous_xx, viscous_yy, viscous_xy;
   std::vector<double> pore_pressure;                      ///< p*, compression positive (pore_water.hpp)
   std::vector<double> pressure_at_rest, vertical_at_rest; ///< p, and effective syy, before the shaking
   std::vector<double> head, head_slope_x, head_slope_y;   ///< of the undisturbed water (head.hpp)
@@ -50,7 +51,7 @@ struct ParticleFields {
   std::vector<double> mass, volume;                       ///< per metre out of plane
   std::vector<double> box_xx, box_xy, box_yy; ///< M of boxes that follow the soil (particle_boxes.hpp)
   std::vector<double> x_initial, y_initial;
-  std::vector<std::vector<double>> more; ///< of Spec::more_fields, in their order
+  std::vector<std::vector<double>> more; ///< of Spec::more_fields, in their order, then relaxation_fields()
 };
 
 /// A line of the table.
@@ -62,11 +63,20 @@ struct ParticleFieldDescription {
   OnCut on_cut = OnCut::copied;
   /// The field of a frame of output that it is a component of, in the order of the table; empty: none.
   std::string frame;
-  std::vector<double> ParticleFields::*field = nullptr; ///< none for one of Spec::more_fields
+  std::vector<double> ParticleFields::*field = nullptr; ///< none for one of ParticleFields::more
+
+  /// The field of a frame of output that it is written to; empty: none. Fields of one's own are all written.
+  const std::string& in_frames() const {
+    return field == nullptr && trait == FieldTrait::always ? name : frame;
+  }
 };
 
 /// The fields that particles have by themselves.
 const std::vector<ParticleFieldDescription>& particle_field_table();
+
+/// What particles of soil with constant damping remember besides: the stress of each mechanism, xx, yy and
+/// xy. They are fields of ParticleFields::more.
+std::vector<ParticleFieldDescription> relaxation_fields(std::size_t mechanisms);
 
 /// The traits of a set of particles.
 struct ParticleTraits {

@@ -5,6 +5,7 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/step/time_step.hpp"
+#include "mpm_domain/strain/relaxation_stress.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 #include "mpm_domain/transfer/sharp_transfer.hpp"
@@ -39,7 +40,11 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain) {
   for (Particles& set : domain.sets) {
     laws_.push_back(set.law);
     set.law = materials::without_softening(set.law);
-    set.damping_time = 0.0; // relaxation has a damping of its own, on mass
+    // The way to rest has a damping of its own, on mass. Soil then has the stiffness at the reference
+    // frequency of constant damping.
+    set.damping_time = 0.0;
+    forget(set);
+    set.relaxation = {};
     ParticleFields& given = given_.emplace_back();
     for (const auto field : given_fields)
       given.*field = set.*field;
@@ -284,8 +289,10 @@ void Relaxation::finish() {
   for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
     Particles& set = domain_.sets[s];
     set.law = laws_[s];
-    if (!set.body)
+    if (!set.body) {
       set.damping_time = domain_.spec.soils[set.soil_index].damping_time;
+      set.relaxation = domain_.spec.soils[set.soil_index].relaxation;
+    }
   }
   if (!way_x_.empty())
     take_way_as_displacement();

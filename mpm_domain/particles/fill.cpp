@@ -74,10 +74,13 @@ std::vector<Particles> empty_sets(const Spec& spec, int finest) {
                     .own_boxes = spec.boxes == ParticleBoxes::deforming,
                     .cell_dilatation = spec.scheme.dilatation == Dilatation::cell &&
                                        materials::traits(soil.law).response != materials::Response::elastic,
-                    .damped = soil.damping_time > 0.0};
+                    .damped = soil.damping_time > 0.0 || soil.relaxation.acts()};
       set.damping_time = soil.damping_time;
+      set.relaxation = soil.relaxation;
       set.more_fields = spec.more_fields;
-      set.more.resize(spec.more_fields.size());
+      set.first_memory = set.more_fields.size();
+      std::ranges::copy(relaxation_fields(soil.relaxation.time.size()), std::back_inserter(set.more_fields));
+      set.more.resize(set.more_fields.size());
       set.level = level;
       set.cell_size = spec.cell_size / static_cast<double>(1 << level);
       set.half_size = 0.5 * particle_size(spec, level);

@@ -36,11 +36,13 @@ struct Particles : ParticleFields {
   double cell_size = 0.0; ///< h of these, m
   double half_size = 0.0; ///< l of their boxes, at the start where these follow the soil, m
   materials::Law law;
-  double damping_time = 0.0;      ///< beta of the viscous stress, s; only with trait damped
-  double density = 0.0;           ///< of what `mass` is, at the start, kg/m3
-  double weight_share = 1.0;      ///< weight over mass times gravity: less than 1 below the water table
-  std::optional<PoreWater> water; ///< of wet particles
-  std::size_t state_size = 0;     ///< doubles per particle in `state`
+  double damping_time = 0.0;        ///< beta of the viscous stress, s; only with trait damped
+  materials::Relaxation relaxation; ///< mechanisms of constant damping; only with trait damped
+  std::size_t first_memory = 0;     ///< of relaxation_fields() in ParticleFields::more
+  double density = 0.0;             ///< of what `mass` is, at the start, kg/m3
+  double weight_share = 1.0;        ///< weight over mass times gravity: less than 1 below the water table
+  std::optional<PoreWater> water;   ///< of wet particles
+  std::size_t state_size = 0;       ///< doubles per particle in `state`
 
   ParticleTraits traits;
   std::vector<ParticleFieldDescription> more_fields; ///< of ParticleFields::more

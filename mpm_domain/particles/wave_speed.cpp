@@ -19,7 +19,7 @@ double p_modulus(const Particles& set, double speed) {
 } // namespace
 
 FastestWaves fastest_waves(Particles& set, const ParticleRange& range) {
-  const double speed = law_speed(set, range);
+  const double speed = law_speed(set, range) * std::sqrt(set.relaxation.unrelaxed());
   const double skeleton = speed * std::sqrt(materials::elasticity(set.law).density / set.density);
   if (!set.traits.wet)
     return {skeleton, skeleton};

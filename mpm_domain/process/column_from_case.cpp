@@ -22,11 +22,16 @@ namespace {
 
 /// Adds a layer of the column between two levels.
 void add_layer(Spec& spec, const materials::Law& law, const std::optional<materials::PoreSpace>& pores,
-               double damping_time, double top, double bottom) {
+               const scene::Damping& damping, double ratio, double top, double bottom) {
   const double left = spec.box.x_min;
   const double right = spec.box.x_max;
   spec.regions.push_back({spec.soils.size(), {{left, bottom}, {right, bottom}, {right, top}, {left, top}}});
-  spec.soils.push_back({std::to_string(spec.soils.size() + 1), law, {}, damping_time, pores});
+  spec.soils.push_back({std::to_string(spec.soils.size() + 1),
+                        law,
+                        {},
+                        scene::damping_time(damping, ratio),
+                        pores,
+                        scene::relaxation(damping, ratio)});
 }
 
 Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
@@ -50,12 +55,13 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   for (const scene::Layer& layer : scene::layers(scene, source)) {
     const scene::Soil* const soil = layer.soil ? &scene.soils[*layer.soil] : nullptr;
     add_layer(spec, soil != nullptr ? soil->law : materials::LinearElastic{layer.elastic},
-              soil != nullptr ? soil->pores : std::nullopt, scene::damping_time(scene.damping, layer.damping),
-              top, top - layer.thickness);
+              soil != nullptr ? soil->pores : std::nullopt, scene.damping, layer.damping, top,
+              top - layer.thickness);
     top -= layer.thickness;
   }
   if (top > spec.box.y_min)
-    add_layer(spec, materials::LinearElastic{scene.halfspace}, std::nullopt, 0.0, top, spec.box.y_min);
+    add_layer(spec, materials::LinearElastic{scene.halfspace}, std::nullopt, scene.damping, 0.0, top,
+              spec.box.y_min);
   return spec;
 }
 

@@ -107,7 +107,7 @@ double state_value(const Particles& set, std::size_t k, std::string_view name) {
 std::vector<CarriedField> carried_fields(const Domain& domain) {
   std::vector<CarriedField> fields;
   domain.sets.front().for_fields([&](const ParticleFieldDescription& line, const std::vector<double>&) {
-    const std::string& name = line.field == nullptr ? line.name : line.frame;
+    const std::string& name = line.in_frames();
     if (!name.empty()) {
       auto known = std::ranges::find(fields, name, &CarriedField::name);
       if (known == fields.end())

@@ -111,7 +111,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   spec.boxes = scene.mesh.particle_boxes;
   for (const scene::Soil& soil : scene.soils)
     spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh),
-                          scene::damping_time(scene.damping, soil.damping), soil.pores});
+                          scene::damping_time(scene.damping, soil.damping), soil.pores,
+                          scene::relaxation(scene.damping, soil.damping)});
   spec.water = water_of(scene.water);
   spec.still_wet = waters_of(scene.still_wet);
   spec.regions = regions_of(scene.regions);

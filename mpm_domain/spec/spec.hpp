@@ -1,6 +1,7 @@
 #pragma once
 
 #include "materials/law/law.hpp"
+#include "materials/relaxation/relaxation.hpp"
 #include "materials/water/pore_water.hpp"
 #include "materials/water/rest_clock.hpp"
 #include "mesh/quadtree.hpp"
@@ -26,6 +27,7 @@ struct Soil {
   double damping_time = 0.0;
   /// The pores of soil that may lie below a water table. The density of its law is then the saturated one.
   std::optional<materials::PoreSpace> pores = {};
+  materials::Relaxation relaxation = {}; ///< mechanisms of constant damping, in the place of damping_time
 };
 
 /// Levels of the water at both sides of a model: of the table in the ground there, or of free water over it,

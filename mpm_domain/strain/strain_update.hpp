@@ -8,6 +8,7 @@
 #include "mpm_domain/kernel/particle_boxes.hpp"
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/strain/gather_sums.hpp"
+#include "mpm_domain/strain/relaxation_stress.hpp"
 #include "mpm_domain/strain/viscous_stress.hpp"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ struct LaneSums {
   Lanes total{};        ///< work of the stresses, J/m
   Lanes plastic{};      ///< the part of it on plastic strain, J/m
   Lanes max_speed2{};   ///< square of the largest speed, m2/s2
-  double viscous = 0.0; ///< work of the viscous stresses, J/m
+  double viscous = 0.0; ///< work of the stresses of damping, J/m
 
   GatherSums collected() const {
     const Lanes& m = max_speed2;
@@ -78,6 +79,27 @@ template <typename Group>
   group.store(&p.box_yy[k], box.yy);
 }
 
+/// Updates stress and state of a chunk of soil with constant damping by its law, and that of its mechanisms.
+/// @returns the work of the mechanisms' stress, J/m
+inline double update_relaxing(Particles& p, std::size_t begin, materials::Points points,
+                              const Increments& moved, double dt) {
+  const TurningStrain all{points.dexx, points.deyy, points.dgxy, points.dwxy};
+  ChunkField exx, eyy, gxy, sxx, syy, sxy;
+  see_share(p, points.count, all, exx.data(), eyy.data(), gxy.data());
+  std::copy_n(points.sxx, points.count, sxx.begin());
+  std::copy_n(points.syy, points.count, syy.begin());
+  std::copy_n(points.sxy, points.count, sxy.begin());
+  points.dexx = exx.data();
+  points.deyy = eyy.data();
+  points.dgxy = gxy.data();
+  materials::update(p.law, points);
+  // A law counts plastic work on the share of the strain that it sees.
+  for (std::size_t c = 0; c < points.count; ++c)
+    points.plastic_work[c] /= p.relaxation.relaxed;
+  return relax(p, {begin, begin + points.count}, {sxx.data(), syy.data(), sxy.data()}, all,
+               {moved.exx.data(), moved.eyy.data(), moved.gxy.data(), moved.wxy.data()}, dt);
+}
+
 /// Updates stress and state of a chunk by its law, then books the other half of the work and updates volumes.
 /// @param seen   the increments that the law sees
 /// @param moved  the increments of the particles' own motion: work and volumes follow them
@@ -85,16 +107,20 @@ template <typename Group>
 [[gnu::noinline]] inline void strain_chunk(Particles& p, std::size_t begin, std::size_t count,
                                            Increments& seen, const Increments& moved, double dt,
                                            LaneSums& sums) {
-  if (p.traits.damped)
-    sums.viscous += damp(p, {begin, begin + count}, {seen.exx.data(), seen.eyy.data(), seen.gxy.data()},
-                         {moved.exx.data(), moved.eyy.data(), moved.gxy.data()}, dt);
   materials::Points points = p.points(begin, count);
   points.plastic_work = seen.plastic.data();
   points.dexx = seen.exx.data();
   points.deyy = seen.eyy.data();
   points.dgxy = seen.gxy.data();
   points.dwxy = seen.wxy.data();
-  materials::update(p.law, points);
+  if (p.relaxation.acts()) {
+    sums.viscous += update_relaxing(p, begin, points, moved, dt);
+  } else {
+    if (p.traits.damped)
+      sums.viscous += damp(p, {begin, begin + count}, {seen.exx.data(), seen.eyy.data(), seen.gxy.data()},
+                           {moved.exx.data(), moved.eyy.data(), moved.gxy.data()}, dt);
+    materials::update(p.law, points);
+  }
   by_fours(0, count, [&](std::size_t c, auto group) {
     const std::size_t k = begin + c;
     const Lanes before = group.load(&p.volume[k]);

@@ -60,8 +60,9 @@ struct WaveSpeeds {
 };
 
 /// Below the water table the particles of soil have other densities than its law, and water stiffens them.
-WaveSpeeds wave_speeds(const Case& scene, const Soil& soil) {
-  const double of_law = p_wave_speed(scene, soil.law);
+/// @param stiffening  factor on the moduli of the law, 1
+WaveSpeeds wave_speeds(const Case& scene, const Soil& soil, double stiffening) {
+  const double of_law = p_wave_speed(scene, soil.law) * std::sqrt(stiffening);
   if (!scene.water || !soil.pores)
     return {of_law, of_law};
   const double modulus = materials::elasticity(soil.law).density * of_law * of_law;
@@ -86,17 +87,22 @@ WaveSpeeds wave_speeds(const Case& scene, const Soil& soil) {
 class CriticalStep {
 public:
   CriticalStep(const Case& scene, const Soil& soil)
-      : speeds_(wave_speeds(scene, soil)), damping_time_(damping_time(scene.damping, soil.damping)),
+      : speeds_(wave_speeds(scene, soil, relaxation(scene.damping, soil.damping).unrelaxed())),
+        undamped_speed_(wave_speeds(scene, soil, 1.0).fastest),
+        damping_time_(damping_time(scene.damping, soil.damping)),
         share_(mpm_domain::share_of(scene.time.order)) {}
 
   MaterialStep on(double cell_size) const {
     const double of_skeleton = speeds_.skeleton / speeds_.fastest;
-    const double undamped = mpm_domain::largest_courant_number * cell_size / speeds_.fastest;
-    return {mpm_domain::damped_step(undamped, damping_time_ * of_skeleton * of_skeleton, share_), undamped};
+    const double least = mpm_domain::largest_courant_number * cell_size;
+    return {
+        mpm_domain::damped_step(least / speeds_.fastest, damping_time_ * of_skeleton * of_skeleton, share_),
+        least / undamped_speed_};
   }
 
 private:
-  WaveSpeeds speeds_;
+  WaveSpeeds speeds_; ///< of soil whose constant damping has not had the time to relax
+  double undamped_speed_;
   double damping_time_;
   double share_;
 };

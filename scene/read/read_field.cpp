@@ -63,6 +63,12 @@ void read_damping(Document& document, Case& scene) {
   if (const auto f = table.numbers("frequencies"); f.size() == 2)
     scene.damping.frequencies = {f[0], f[1]};
   scene.damping.reference_hz = table.optional_number("reference_hz");
+  if (const auto band = table.numbers("band"); band.size() == 2) {
+    scene.damping.band.lowest_hz = band[0];
+    scene.damping.band.highest_hz = band[1];
+  }
+  if (table.given("mechanisms"))
+    scene.damping.band.mechanisms = table.integer("mechanisms");
 }
 
 /// Constants of the named soil, or of the layer itself.

@@ -2,6 +2,7 @@
 
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/soils/viscous_damping.hpp"
 
 #include <fmt/format.h>
 
@@ -23,15 +24,18 @@ struct Fastest {
   std::string place;
 };
 
-/// c_1, m/s: of P waves, in two phases without drag where water flows.
+/// c_1, m/s: of P waves, in two phases without drag where water flows, and of soil with constant damping
+/// while nothing has relaxed.
 double fast_speed(const Case& scene, const Layer& layer) {
-  if (layer.wet) {
-    const Soil& soil = scene.soils[*layer.soil];
-    const double modulus = materials::elasticity(soil.law).p_modulus();
-    if (soil.pores->drainage == materials::Drainage::coupled)
-      return materials::saturated_speeds(modulus, *soil.pores, scene.water->fluid).fast;
-  }
-  return layer.elastic.p_wave_speed();
+  const double unrelaxed = relaxation(scene.damping, layer.damping).unrelaxed();
+  const double alone = layer.elastic.p_wave_speed();
+  if (!layer.wet)
+    return alone * std::sqrt(unrelaxed);
+  const Soil& soil = scene.soils[*layer.soil];
+  const double modulus = materials::elasticity(soil.law).p_modulus();
+  if (soil.pores->drainage == materials::Drainage::coupled)
+    return materials::saturated_speeds(unrelaxed * modulus, *soil.pores, scene.water->fluid).fast;
+  return std::sqrt(alone * alone + (unrelaxed - 1.0) * modulus / layer.elastic.density);
 }
 
 /// At a horizontal slowness of 1/c_1 or more the column's initial-value problem is ill posed.

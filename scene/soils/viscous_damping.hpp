@@ -13,4 +13,16 @@ namespace tremolo::scene {
 /// @param ratio of critical
 double damping_time(const Damping& damping, double ratio);
 
+/// The relaxation mechanisms that give soil a damping ratio; none under another model than `constant`, and
+/// where it has no frequency.
+/// @param ratio of critical
+materials::Relaxation relaxation(const Damping& damping, double ratio);
+
+/// How much of a layer's P-wave modulus relaxes: all of it, but where there is pore pressure the shear
+/// stiffness alone, G/M.
+double relaxing_share_p(const Case& scene, const Layer& layer);
+
+/// Whether damping acts in time: as viscous stress or by mechanisms.
+bool acts_in_time(const Damping& damping, double ratio);
+
 } // namespace tremolo::scene

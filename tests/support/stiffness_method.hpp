@@ -74,7 +74,7 @@ public:
     for (std::size_t j = 0; j <= profile.layers.size(); ++j) {
       const double density =
           j < profile.layers.size() ? profile.layers[j].density : profile.half_space.density;
-      waves_.push_back(eigen_waves(density, wavefield::moduli(profile, j, s_), p, z, s_));
+      waves_.push_back(eigen_waves(density, wavefield::MediumModuli(profile, j).at(s_), p, z, s_));
     }
     // Unit velocity: vx^2 + vy^2 = 1, to the right for SV and upwards for P.
     const int column = wave == wavefield::WaveType::P ? 0 : 1;

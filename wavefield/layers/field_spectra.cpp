@@ -72,10 +72,10 @@ std::size_t FieldSetup::medium_at(const Point& point) const {
 }
 
 bool FieldSetup::has_kink() const {
-  const bool constant_damping = is_constant_damping(profile.damping.model);
+  const bool jumps = jumps_at_zero_frequency(profile.damping.model);
   if (part == Part::incident)
-    return constant_damping && profile.half_space_damping > 0.0;
-  return (constant_damping && is_damped(profile)) || is_post_critical(profile.half_space, incidence);
+    return jumps && profile.half_space_damping > 0.0;
+  return (jumps && is_damped(profile)) || is_post_critical(profile.half_space, incidence);
 }
 
 SignalSpectrum signal_spectrum(const Signal& signal, const Window& window, RealFourier& fourier) {

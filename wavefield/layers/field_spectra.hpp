@@ -29,7 +29,8 @@ struct FieldSetup {
   std::size_t medium_at(const Point& point) const;
 
   /// Whether the spectra jump to their conjugates across zero frequency, so that the field has algebraic
-  /// tails and no first arrival: beyond the critical angle, and with constant damping.
+  /// tails and no first arrival: beyond the critical angle, and with damping that jumps at
+  /// zero frequency (hysteretic, shake).
   bool has_kink() const;
 };
 

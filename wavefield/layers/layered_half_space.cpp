@@ -11,24 +11,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Complex over undamped modulus.
-Complex factor(const Damping& damping, double ratio, Complex s) {
-  const double omega_0 = 2.0 * std::numbers::pi * damping.reference_hz;
-  switch (damping.model) {
-  case DampingModel::none:
-    return 1.0;
-  case DampingModel::hysteretic:
-    return {1.0, 2.0 * ratio};
-  case DampingModel::shake:
-    return {1.0 - 2.0 * ratio * ratio, 2.0 * ratio * std::sqrt(1.0 - ratio * ratio)};
-  case DampingModel::kelvin_voigt:
-    return 1.0 + 2.0 * ratio * s / omega_0;
-  case DampingModel::kjartansson:
-    return s == 0.0 ? 1.0 : std::pow(s / omega_0, 2.0 * std::atan(2.0 * ratio) / std::numbers::pi);
-  }
-  throw std::logic_error("a damping model without a formula");
-}
-
 void validate_ratio(const std::string& what, double ratio, DampingModel model) {
   require(ratio >= 0.0 && ratio < 0.5, what, ratio, "in [0, 0.5)");
   require(ratio == 0.0 || model != DampingModel::none, what, ratio,
@@ -45,6 +27,8 @@ void validate(const Layer& layer, const std::string& which, DampingModel model) 
           "above sqrt(4/3) vs, here " + shortest(lowest) + " m/s, for a positive bulk modulus");
   validate_ratio(which + "damping ratio", layer.damping, model);
   validate_ratio(which + "damping ratio of P waves", layer.damping_p.value_or(layer.damping), model);
+  require(layer.relaxing_share_p >= 0.0 && layer.relaxing_share_p <= 1.0,
+          which + "share of the P-wave modulus that relaxes", layer.relaxing_share_p, "in [0, 1]");
 }
 
 } // namespace
@@ -56,23 +40,53 @@ double LayeredHalfSpace::thickness() const {
   return sum;
 }
 
-ComplexModuli moduli(const LayeredHalfSpace& profile, std::size_t index, Complex s) {
-  if (index == profile.layers.size()) {
-    const HalfSpace& deep = profile.half_space;
-    const Complex damped = factor(profile.damping, profile.half_space_damping, s);
-    return {deep.density * deep.vs * deep.vs * damped, deep.density * deep.vp * deep.vp * damped};
+MediumModuli::MediumModuli(const LayeredHalfSpace& profile, std::size_t index) : damping_(profile.damping) {
+  const bool deep = index == profile.layers.size();
+  const HalfSpace& below = profile.half_space;
+  const Layer layer = deep ? Layer{.density = below.density,
+                                   .vs = below.vs,
+                                   .vp = below.vp,
+                                   .damping = profile.half_space_damping}
+                           : profile.layers[index];
+  shear_ = {layer.density * layer.vs * layer.vs, layer.damping};
+  p_wave_ = {layer.density * layer.vp * layer.vp, layer.damping_p.value_or(layer.damping)};
+  if (damping_.model != DampingModel::constant)
+    return;
+  const materials::ConstantDamping constant{damping_.reference_hz, damping_.band};
+  shear_.relaxation = materials::relaxation(constant, shear_.ratio);
+  p_wave_.relaxation = materials::relaxation(constant, p_wave_.ratio).on_share(layer.relaxing_share_p);
+}
+
+ComplexModuli MediumModuli::at(Complex s) const {
+  return {shear_.value * factor(shear_, s), p_wave_.value * factor(p_wave_, s)};
+}
+
+/// Complex over undamped modulus.
+Complex MediumModuli::factor(const Modulus& modulus, Complex s) const {
+  const double ratio = modulus.ratio;
+  const double omega_0 = 2.0 * std::numbers::pi * damping_.reference_hz;
+  switch (damping_.model) {
+  case DampingModel::none:
+    return 1.0;
+  case DampingModel::hysteretic:
+    return {1.0, 2.0 * ratio};
+  case DampingModel::shake:
+    return {1.0 - 2.0 * ratio * ratio, 2.0 * ratio * std::sqrt(1.0 - ratio * ratio)};
+  case DampingModel::kelvin_voigt:
+    return 1.0 + 2.0 * ratio * s / omega_0;
+  case DampingModel::kjartansson:
+    return s == 0.0 ? 1.0 : std::pow(s / omega_0, 2.0 * std::atan(2.0 * ratio) / std::numbers::pi);
+  case DampingModel::constant:
+    return modulus.relaxation.factor(s);
   }
-  const Layer& layer = profile.layers[index];
-  return {layer.density * layer.vs * layer.vs * factor(profile.damping, layer.damping, s),
-          layer.density * layer.vp * layer.vp *
-              factor(profile.damping, layer.damping_p.value_or(layer.damping), s)};
+  throw std::logic_error("a damping model without a formula");
 }
 
 bool is_frequency_independent(DampingModel model) {
-  return model != DampingModel::kelvin_voigt && model != DampingModel::kjartansson;
+  return model == DampingModel::none || jumps_at_zero_frequency(model);
 }
 
-bool is_constant_damping(DampingModel model) {
+bool jumps_at_zero_frequency(DampingModel model) {
   return model == DampingModel::hysteretic || model == DampingModel::shake;
 }
 
@@ -97,6 +111,8 @@ std::string_view name(DampingModel model) {
     return "kelvin_voigt";
   case DampingModel::kjartansson:
     return "kjartansson";
+  case DampingModel::constant:
+    return "constant";
   }
   throw std::logic_error("a damping model without a name");
 }
@@ -110,6 +126,8 @@ void validate(const LayeredHalfSpace& profile) {
     require_positive("reference frequency of " + std::string(name(profile.damping.model)) + " damping",
                      profile.damping.reference_hz, "Hz");
   }
+  if (profile.damping.model == DampingModel::constant)
+    materials::validate({profile.damping.reference_hz, profile.damping.band});
 }
 
 } // namespace tremolo::wavefield

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/relaxation/constant_damping.hpp"
 #include "wavefield/layers/half_space.hpp"
 
 #include <complex>
@@ -17,12 +18,15 @@ enum class DampingModel {
   shake,        ///< G (1 - 2 xi^2 + 2 i xi sqrt(1 - xi^2)), so that |G*| = G (SHAKE91)
   kelvin_voigt, ///< G (1 + 2 xi s / omega_0): xi at the reference frequency, growing in proportion to
                 ///< frequency
-  kjartansson   ///< G (s / omega_0)^(2 atan(2 xi) / pi): constant Q and causal (Kjartansson 1979)
+  kjartansson,  ///< G (s / omega_0)^(2 atan(2 xi) / pi): constant Q and causal (Kjartansson 1979)
+  constant      ///< what soil of relaxation mechanisms has (materials/relaxation): xi in a band, and causal
 };
 
 struct Damping {
   DampingModel model = DampingModel::none;
-  double reference_hz = 0.0; ///< omega_0 / (2 pi) of kelvin_voigt and kjartansson; unused by the others
+  /// omega_0 / (2 pi) of kelvin_voigt, kjartansson and constant; unused by the others
+  double reference_hz = 0.0;
+  materials::DampingBand band = {}; ///< of constant
 };
 
 /// A homogeneous, isotropic layer.
@@ -33,6 +37,8 @@ struct Layer {
   double vp = 0.0;                 ///< undamped compressional wave speed, m/s
   double damping = 0.0;            ///< damping ratio xi of the shear modulus, 1
   std::optional<double> damping_p; ///< of the P-wave modulus; that of the shear modulus if not given
+  /// How much of the P-wave modulus relaxes under damping `constant`: in saturated soil G/M alone.
+  double relaxing_share_p = 1.0;
 };
 
 /// Layers from the free surface down, on a half-space; without layers the half-space itself has the surface.
@@ -51,17 +57,36 @@ struct ComplexModuli {
   std::complex<double> p_wave; ///< M* = lambda* + 2 G*
 };
 
-/// Moduli of layer `index` from the top, of the half-space for index = layers.size(). The models none,
-/// hysteretic and shake do not depend on s; for kjartansson s = 0 gives the undamped modulus.
-/// @param s  i omega + epsilon, 1/s, omega >= 0
-ComplexModuli moduli(const LayeredHalfSpace& profile, std::size_t index, std::complex<double> s);
+/// The moduli of one medium.
+class MediumModuli {
+public:
+  /// Of layer `index` from the top, of the half-space for index = layers.size().
+  MediumModuli(const LayeredHalfSpace& profile, std::size_t index);
+
+  /// The models none, hysteretic and shake do not depend on s; for kjartansson s = 0 gives the undamped
+  /// modulus.
+  /// @param s  i omega + epsilon, 1/s, omega >= 0
+  ComplexModuli at(std::complex<double> s) const;
+
+private:
+  /// An undamped modulus, Pa, and what damps it.
+  struct Modulus {
+    double value = 0.0;
+    double ratio = 0.0;
+    materials::Relaxation relaxation = {};
+  };
+  std::complex<double> factor(const Modulus& modulus, std::complex<double> s) const;
+
+  Damping damping_;
+  Modulus shear_, p_wave_;
+};
 
 /// Whether the moduli are the same at all frequencies above zero.
 bool is_frequency_independent(DampingModel model);
 
 /// Whether the damping ratio jumps to its conjugate across zero frequency: hysteretic and shake. Their answer
 /// is not causal, and has tails before the arrival.
-bool is_constant_damping(DampingModel model);
+bool jumps_at_zero_frequency(DampingModel model);
 
 /// Whether any damping ratio is above zero.
 bool is_damped(const LayeredHalfSpace& profile);

@@ -83,6 +83,8 @@ Reflectivity::Reflectivity(const LayeredHalfSpace& profile, WaveType wave, doubl
   validate(incidence);
   p_ = wavefield::slowness_x(profile.half_space, incidence);
   const std::size_t layers = profile.layers.size();
+  for (std::size_t j = 0; j <= layers; ++j)
+    moduli_.emplace_back(profile, j);
   media_.resize(layers + 1);
   interfaces_.resize(layers);
   reflected_.resize(layers + 1);
@@ -97,7 +99,7 @@ void Reflectivity::factorise(Complex s) {
   for (std::size_t j = 0; j < media_.size(); ++j) {
     Medium& medium = media_[j];
     const double rho = density(profile_, j);
-    medium.moduli = wavefield::moduli(profile_, j, s);
+    medium.moduli = moduli_[j].at(s);
     const Complex slowness_a = 1.0 / std::sqrt(medium.moduli.p_wave / rho);
     const Complex slowness_b = 1.0 / std::sqrt(medium.moduli.shear / rho);
     Complex q_a = vertical_slowness(slowness_a, p_, s);

@@ -35,7 +35,7 @@ public:
   /// of the half-space. s = 0 is the limit of low frequencies. Valid until the next call.
   const std::vector<LayerAmplitudes>& solve(std::complex<double> s);
 
-  /// Waves and moduli of a medium at the s of the last solve(); index as in moduli().
+  /// Waves and moduli of a medium at the s of the last solve(); index as in MediumModuli.
   const WaveBasis& basis(std::size_t index) const { return media_[index].basis; }
   const ComplexModuli& moduli(std::size_t index) const { return media_[index].moduli; }
 
@@ -64,6 +64,7 @@ private:
   double p_;
   double impedance_;
   bool factorised_once_;
+  std::vector<MediumModuli> moduli_;
   std::vector<Medium> media_;
   std::vector<Interface> interfaces_;         ///< below layer j
   Eigen::Matrix2cd surface_;                  ///< downgoing amplitudes per upgoing, at the free surface

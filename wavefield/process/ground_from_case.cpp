@@ -1,6 +1,7 @@
 #include "wavefield/process/ground_from_case.hpp"
 
 #include "scene/plan/wave/motion.hpp"
+#include "scene/soils/viscous_damping.hpp"
 #include "wavefield/incident_motion.hpp"
 
 #include <cmath>
@@ -21,6 +22,8 @@ DampingModel damping_model(const scene::Damping& damping) {
     return DampingModel::shake;
   case scene::DampingModel::kjartansson:
     return DampingModel::kjartansson;
+  case scene::DampingModel::constant:
+    return DampingModel::constant;
   case scene::DampingModel::none:
   case scene::DampingModel::rayleigh:
     return DampingModel::none;
@@ -52,7 +55,8 @@ LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<sc
   LayeredHalfSpace ground;
   ground.half_space = {deep.density, deep.s_wave_speed(), deep.p_wave_speed()};
   ground.half_space_damping = scene.halfspace_damping;
-  ground.damping = {damping_model(scene.damping), scene.damping.reference_hz.value_or(0.0)};
+  ground.damping = {damping_model(scene.damping), scene.damping.reference_hz.value_or(0.0),
+                    scene.damping.band};
   // Rayleigh's is that of columns, which have it in their equations. What they ask of this ground is the
   // incident wave, which no layer has met.
   const bool by_column = scene.damping.model == scene::DampingModel::rayleigh;
@@ -61,7 +65,8 @@ LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<sc
                              .density = layer.elastic.density,
                              .vs = layer.elastic.s_wave_speed(),
                              .vp = layer.elastic.p_wave_speed(),
-                             .damping = by_column ? 0.0 : layer.damping});
+                             .damping = by_column ? 0.0 : layer.damping,
+                             .relaxing_share_p = scene::relaxing_share_p(scene, layer)});
   return ground;
 }
 

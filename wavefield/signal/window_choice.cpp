@@ -141,7 +141,7 @@ std::string why_no_exponential_window(const FieldSetup& setup) {
   const LayeredHalfSpace& profile = setup.profile;
   const double p = slowness_x(profile.half_space, setup.incidence);
   if (is_damped(profile)) {
-    if (is_constant_damping(profile.damping.model)) {
+    if (jumps_at_zero_frequency(profile.damping.model)) {
       return "damping that is the same at all frequencies (" + std::string(name(profile.damping.model)) +
              ") is not causal: its moduli jump at zero frequency";
     }

@@ -77,7 +77,7 @@ std::string step_limit_text(const StepLimit& limit) {
     between = ", ";
   }
   if (limit.undamped > limit.dt)
-    text += fmt::format("{}{:.4g} s without viscous damping", between, limit.undamped);
+    text += fmt::format("{}{:.4g} s without damping", between, limit.undamped);
   return text;
 }
 

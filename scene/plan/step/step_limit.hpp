@@ -16,7 +16,7 @@ struct StepLimit {
   std::string by;         ///< what sets it: "soil 'rock'"
   double cell_size = 0.0; ///< of the cells on which it does, m
   double others = 0.0; ///< the critical time step without that material, s; infinite where there is no other
-  double undamped = 0.0; ///< the critical time step without viscous damping, s
+  double undamped = 0.0; ///< the critical time step without damping, s
 };
 
 /// Where each level has a step of its own, half of the next coarser one's, all steps are those of the
@@ -26,7 +26,7 @@ StepLimit step_limit(const Case& scene, std::span<const Level> levels);
 /// The critical time step of the domain at rest: the least of its levels, s.
 double critical_time_step(const Case& scene, std::span<const Level> levels);
 
-/// "set by soil 'rock' on cells of 0.5 m; 0.0002 s without it, 0.0001 s without viscous damping"
+/// "set by soil 'rock' on cells of 0.5 m; 0.0002 s without it, 0.0001 s without damping"
 std::string step_limit_text(const StepLimit& limit);
 
 } // namespace tremolo::scene

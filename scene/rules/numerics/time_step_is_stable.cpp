@@ -59,9 +59,10 @@ void time_step_is_stable(const Case& scene, Findings& findings) {
         fmt::format(
             "'dt' = {} exceeds the critical step {} = {:.6g} s of this mesh and its {}", *scene.time.dt,
             damped && !by_structure ? "sqrt(t^2 + beta^2) - beta, t = 0.65 h/c_p," : "0.65 h/c_p", critical,
-            by_structure ? "elastic structures"
-            : damped     ? "soils with their viscous damping"
-                         : "fastest soil"));
+            by_structure              ? "elastic structures"
+            : damped                  ? "soils with their viscous damping"
+            : domain_is_damped(scene) ? "fastest soil, with its constant damping"
+                                      : "fastest soil"));
   else if (usl && *scene.time.dt > usl_share * critical)
     findings.add("time.dt",
                  fmt::format("'dt' = {} is not stable with order = \"usl\"; allowed: at most {} of "

@@ -46,6 +46,10 @@ void damping_suits_models(const Case& scene, Findings& findings) {
   if (!findings.sound("damping") || !findings.sound("damping.model"))
     return;
   const DampingModel model = scene.damping.model;
+  if (const auto& band = scene.damping.band;
+      band.lowest_hz >= band.highest_hz && findings.sound("damping.band"))
+    return findings.add("damping.band",
+                        fmt::format("'band' = [{}, {}] must rise", band.lowest_hz, band.highest_hz));
   if (model == DampingModel::none)
     return ratios_have_model(scene, findings);
 
@@ -61,8 +65,9 @@ void damping_suits_models(const Case& scene, Findings& findings) {
   const bool any_damped = damped(layers(scene, left)) || damped(layers(scene, right));
   if (model == DampingModel::rayleigh) {
     if ((any_damped || scene.halfspace_damping > 0.0) && std::ranges::any_of(sources, in_frequency_domain))
-      findings.add("damping.model", "model = \"rayleigh\" is for columns; models \"wave\" and \"eql\" know "
-                                    "\"kelvin_voigt\", \"hysteretic\", \"shake\" and \"kjartansson\"");
+      findings.add("damping.model",
+                   "model = \"rayleigh\" is for columns; models \"wave\" and \"eql\" know "
+                   "\"constant\", \"kelvin_voigt\", \"hysteretic\", \"shake\" and \"kjartansson\"");
     return;
   }
   if (scene.damping.reference_hz || !findings.sound("damping.reference_hz"))
@@ -71,7 +76,8 @@ void damping_suits_models(const Case& scene, Findings& findings) {
     findings.add("damping.reference_hz",
                  fmt::format("missing 'reference_hz': at which frequency {} has its ratio", whose));
   };
-  if (model == DampingModel::kelvin_voigt || model == DampingModel::kjartansson)
+  if (model == DampingModel::kelvin_voigt || model == DampingModel::kjartansson ||
+      model == DampingModel::constant)
     need(fmt::format("\"{}\" damping", name(model)));
   else if (any_damped && std::ranges::any_of(sources, marched_in_time))
     need("the Kelvin-Voigt damping of a column, which has no other here,");

@@ -14,14 +14,15 @@ LONGEST_FILE = 500  # lines
 
 FOR_ALL = "base"  # may be included by every folder
 
-# Libraries: folder -> folders whose headers it may include besides its own. coupler/eq6 and mpm_domain/spec are
-# libraries of their own.
+# Libraries: folder -> folders whose headers it may include besides its own. coupler/eq6, materials/relaxation
+# and mpm_domain/spec are libraries of their own.
 LIBRARIES = {
     "base": set(),
     "mesh": set(),
     "seepage": set(),
-    "wavefield": set(),
-    "materials": set(),
+    "wavefield": {"materials/relaxation"},
+    "materials": {"materials/relaxation"},
+    "materials/relaxation": set(),
     "motion": set(),
     "results": set(),
     "coupler/eq6": set(),
@@ -73,6 +74,8 @@ def allowed(path):
     others = LIBRARIES[folder]
     if folder in PROCESSES and is_process(path):
         others = others | PROCESSES[folder]
+    if "materials" in others:
+        others = others | {"materials/relaxation"}
     return others | {folder, FOR_ALL}
 
 

@@ -1,6 +1,7 @@
 // What a checkpoint holds of a domain is all that the next steps depend on: a domain built anew and given
 // that state goes on with the same bits, whatever law, transfer and mesh.
 
+#include "materials/relaxation/constant_damping.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
 #include "tests/support/box_models.hpp"
@@ -108,6 +109,20 @@ TEST(State, OfEveryTransferGoesOnWithTheSameBits) {
       spec.scheme.order = order;
       expect_exact_resumption(spec);
     }
+}
+
+/// On levels with steps of their own, where particles are cut, dry and with water.
+TEST(State, OfConstantDampingGoesOnWithTheSameBits) {
+  mpm_domain::Spec spec = box(softening_soil());
+  spec.soils.front().relaxation = relaxation({3.0, {}}, 0.05);
+  expect_exact_resumption(spec);
+  mpm_domain::Spec levels = spec;
+  levels.refine = {{{0.0, -2.0, 4.0, 0.0}, 1}};
+  levels.scheme.subcycle = true;
+  expect_exact_resumption(levels);
+  spec.water = {-1.0, {}};
+  spec.soils.front().pores = {.porosity = 0.4, .grain_density = 2650.0, .permeability = 1e-3};
+  expect_exact_resumption(spec);
 }
 
 TEST(State, OfMatchedLayersAndTheirCornersGoesOnWithTheSameBits) {

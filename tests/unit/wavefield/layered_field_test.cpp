@@ -130,7 +130,8 @@ INSTANTIATE_TEST_SUITE_P(Waves, InLayers,
                                            Wave{WaveType::SV, 40.0, {DampingModel::none}},
                                            Wave{WaveType::SV, 40.0, {DampingModel::shake}},
                                            Wave{WaveType::P, 50.0, {DampingModel::kelvin_voigt, 3.0}},
-                                           Wave{WaveType::SV, 25.0, {DampingModel::kjartansson, 3.0}}));
+                                           Wave{WaveType::SV, 25.0, {DampingModel::kjartansson, 3.0}},
+                                           Wave{WaveType::P, 25.0, {DampingModel::constant, 3.0}}));
 
 TEST(LayeredField, IsTheHalfSpaceWithIdenticalLayers) {
   const HalfSpace soil{1700.0, 96.0, 174.0};

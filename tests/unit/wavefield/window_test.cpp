@@ -55,6 +55,7 @@ TEST(ExponentialWindow, AgreesWithPaddingWhereItIsValid) {
   EXPECT_LT(difference(layered3({}), WaveType::P, 60.0), 1e-6);
   EXPECT_LT(difference(layered3({DampingModel::kelvin_voigt, 3.0}), WaveType::SV, 0.0), 1e-6);
   EXPECT_LT(difference(layered3({DampingModel::kjartansson, 3.0}), WaveType::SV, 0.0), 1e-6);
+  EXPECT_LT(difference(layered3({DampingModel::constant, 3.0}), WaveType::SV, 0.0), 1e-6);
 }
 
 TEST(ExponentialWindow, IsRefusedWithTheReasonWhereItIsNot) {

@@ -48,7 +48,7 @@ double difference(const LayeredHalfSpace& profile, WaveType wave, double degrees
 }
 
 constexpr std::array models{DampingModel::none, DampingModel::hysteretic, DampingModel::shake,
-                            DampingModel::kelvin_voigt, DampingModel::kjartansson};
+                            DampingModel::kelvin_voigt, DampingModel::kjartansson, DampingModel::constant};
 
 TEST(SecondMethod, AgreesForAllDampingModelsAndAngles) {
   double worst = 0.0;

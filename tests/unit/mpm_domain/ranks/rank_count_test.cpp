@@ -1,6 +1,7 @@
 // Same case, same build: the same bits, whatever the number of ranks and threads. Rank 0 steps the whole
 // domain as well, alone, and compares.
 
+#include "materials/relaxation/constant_damping.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/step/recipe.hpp"
@@ -48,11 +49,12 @@ void slope(Spec& spec) {
                                   {60.0, -25.0}, {40.0, 0.0},    {0.0, 0.0}};
 }
 
-/// Two soils, one upon the other, of which one is damped.
+/// Two soils, one upon the other, damped in the two ways.
 void layers(Spec& spec) {
   spec.soils.push_back(spec.soils.front());
   spec.soils.back().name = "below";
   spec.soils.back().damping_time = 1e-3;
+  spec.soils.front().relaxation = materials::relaxation({3.0, {}}, 0.05);
   spec.regions = {{0, {{0.0, -17.0}, {100.0, -17.0}, {100.0, 0.0}, {0.0, 0.0}}},
                   {1, {{0.0, -40.0}, {100.0, -40.0}, {100.0, -17.0}, {0.0, -17.0}}}};
 }

@@ -174,9 +174,8 @@ TEST(Rules, DampingShortensTheStep) {
   EXPECT_NEAR(plan_of_damped.critical_dt, std::hypot(undamped, beta) - beta, 1e-12);
   EXPECT_THAT(explain(parse_case(damped), plan_of_damped), HasSubstr("soil 'sand' 5 % at 3 Hz"));
   // t = 3.7478 ms, beta = 5.3052 ms: 1.1903 ms, t being 3.15 times as long.
-  EXPECT_THAT(
-      explain(parse_case(damped), plan_of_damped),
-      HasSubstr("\n             set by soil 'sand' on cells of 1 m; 0.003748 s without viscous damping\n"));
+  EXPECT_THAT(explain(parse_case(damped), plan_of_damped),
+              HasSubstr("\n             set by soil 'sand' on cells of 1 m; 0.003748 s without damping\n"));
   EXPECT_THAT(remarks_of(damped),
               Contains(HasSubstr("note: [damping] viscous damping sets the time step: the critical step is "
                                  "0.00119 s, that of soil 'sand' on cells of 1 m, and 0.00375 s without "
