@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coupler/participant.hpp"
-#include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/process/output/run_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
 #include "scene/case.hpp"

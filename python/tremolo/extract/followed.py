@@ -2,7 +2,7 @@
 
 A particle is known by its place before the shaking, X = x - u: frames keep no numbers, and where particles are cut their order
 changes. Its strain is the fit of least squares over the particles n of its own soil around it, as that of a monitor
-(mpm_domain/process/followed_point.hpp),
+(mpm_domain/process/output/followed_point.hpp),
 
     G = sum (u_n - u) (X_n - X)^T [sum (X_n - X) (X_n - X)^T]^-1,    exx = G_xx, eyy = G_yy, gxy = G_xy + G_yx.
 

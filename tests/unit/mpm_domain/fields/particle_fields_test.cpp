@@ -1,5 +1,5 @@
 // A field of one's own is one line of a spec. No other file knows of it, and yet particles carry it wherever
-// they go: it is sorted, cut, saved and resumed, and written (process/run_output_test.cpp).
+// they go: it is sorted, cut, saved and resumed, and written (process/output/run_output_test.cpp).
 
 #include "mpm_domain/particles/splitting.hpp"
 #include "tests/support/no_traction.hpp"

@@ -2,7 +2,7 @@
 // run's file.
 
 #include "mpm_domain/process/column_from_case.hpp"
-#include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/process/output/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 
 #include "mpm_domain/particles/fill.hpp"

@@ -1,4 +1,4 @@
-#include "mpm_domain/process/followed_point.hpp"
+#include "mpm_domain/process/output/followed_point.hpp"
 
 #include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/tiles/totals.hpp"

@@ -1,7 +1,7 @@
 // The strain of a point that output follows: exact for displacements that are linear in the place at the
 // start.
 
-#include "mpm_domain/process/followed_point.hpp"
+#include "mpm_domain/process/output/followed_point.hpp"
 
 #include "tests/support/box_run.hpp"
 #include "tests/support/quiet_ground.hpp"

@@ -1,7 +1,7 @@
-#include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/process/output/run_output.hpp"
 
 #include "mpm_domain/head/phreatic_line.hpp"
-#include "mpm_domain/process/add_history.hpp"
+#include "mpm_domain/process/output/add_history.hpp"
 #include "results/run_checksums.hpp"
 #include "results/stored_fields.hpp"
 #include "scene/plan/output/intervals.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "mpm_domain/boundary/drift/lost_hold.hpp"
-#include "mpm_domain/process/body_output.hpp"
-#include "mpm_domain/process/followed_point.hpp"
-#include "mpm_domain/process/sliding_mass_output.hpp"
+#include "mpm_domain/process/output/body_output.hpp"
+#include "mpm_domain/process/output/followed_point.hpp"
+#include "mpm_domain/process/output/sliding_mass_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
 #include "results/run_file.hpp"

@@ -1,7 +1,7 @@
-#include "mpm_domain/process/sliding_mass_output.hpp"
+#include "mpm_domain/process/output/sliding_mass_output.hpp"
 
-#include "mpm_domain/process/add_history.hpp"
-#include "mpm_domain/process/followed_point.hpp"
+#include "mpm_domain/process/output/add_history.hpp"
+#include "mpm_domain/process/output/followed_point.hpp"
 
 #include <algorithm>
 #include <array>

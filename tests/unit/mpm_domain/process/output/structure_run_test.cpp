@@ -1,6 +1,6 @@
 // From a case with a structure to the domain, and from there to the run's file.
 
-#include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/process/output/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 
 #include "mpm_domain/gravity/gravity_stage.hpp"

@@ -1,6 +1,6 @@
-#include "mpm_domain/process/stage_frames.hpp"
+#include "mpm_domain/process/output/stage_frames.hpp"
 
-#include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/process/output/run_output.hpp"
 #include "mpm_domain/transfer/snapshot.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/stages/stages.hpp"

@@ -1,6 +1,6 @@
-#include "mpm_domain/process/body_output.hpp"
+#include "mpm_domain/process/output/body_output.hpp"
 
-#include "mpm_domain/process/add_history.hpp"
+#include "mpm_domain/process/output/add_history.hpp"
 
 #include <fmt/format.h>
 

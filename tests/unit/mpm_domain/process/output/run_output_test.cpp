@@ -1,6 +1,6 @@
 // Fields of one's own are written in every frame, though the output does not know of them.
 
-#include "mpm_domain/process/run_output.hpp"
+#include "mpm_domain/process/output/run_output.hpp"
 
 #include "results/run_file.hpp"
 #include "tests/support/box_run.hpp"
