@@ -32,8 +32,8 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head,
                             const mesh::Quadtree* tree = nullptr);
 
 /// Gives particles the stress of level layers at rest: s_yy = -overburden of the particles above them, s_xx =
-/// s_zz = K0 s_yy with the soil's nu/(1-nu); water that rises or falls through them takes part. A start for the
-/// gravity stage, exact for level ground.
+/// s_zz = K0 s_yy with the soil's nu/(1-nu); water that rises or falls through them takes part. A start for
+/// the gravity stage, exact for level ground.
 /// @param concerns  whether a particle, by set and number, gets the stress and weighs on others; none: all do
 void set_rest_stress(std::span<Particles> sets, const Spec& spec,
                      const std::function<bool(std::size_t, std::size_t)>& concerns = {});

@@ -133,13 +133,16 @@ TEST(Seepage, GoesThroughAllSoilsBetweenLevelsThatGroundKeepsApart) {
 // A line stays while the ground under it changes; flow does not.
 TEST(Seepage, GoesWithNoConstruction) {
   const auto built = [](const std::string& water) {
-    const std::string fill = "[[region]]\nsoil = \"sand\"\nname = \"fill\"\npolygon = [[2.0, 0.0], [6.0, 0.0], "
-                             "[5.0, 1.0], [3.0, 1.0]]\n";
-    std::string text = with("box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, -10.0, 20.0, 2.0]", slope(water) + fill);
-    return errors_of(with("[[stage]]\nkind = \"shaking\"",
-                          "[[stage]]\nkind = \"construction\"\nname = \"bank\"\nplace = [\"fill\"]\n[[stage]]\nkind "
-                          "= \"shaking\"",
-                          text));
+    const std::string fill =
+        "[[region]]\nsoil = \"sand\"\nname = \"fill\"\npolygon = [[2.0, 0.0], [6.0, 0.0], "
+        "[5.0, 1.0], [3.0, 1.0]]\n";
+    std::string text =
+        with("box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, -10.0, 20.0, 2.0]", slope(water) + fill);
+    return errors_of(
+        with("[[stage]]\nkind = \"shaking\"",
+             "[[stage]]\nkind = \"construction\"\nname = \"bank\"\nplace = [\"fill\"]\n[[stage]]\nkind "
+             "= \"shaking\"",
+             text));
   };
   EXPECT_THAT(built(line), IsEmpty());
   EXPECT_THAT(built(seepage), ElementsAre(HasSubstr("the ground changes in the stage 'bank'")));

@@ -47,7 +47,7 @@ double difference(const LayeredHalfSpace& profile, WaveType wave, double degrees
   return error / peak;
 }
 
-constexpr std::array models{DampingModel::none, DampingModel::hysteretic, DampingModel::shake,
+constexpr std::array models{DampingModel::none,         DampingModel::hysteretic,  DampingModel::shake,
                             DampingModel::kelvin_voigt, DampingModel::kjartansson, DampingModel::constant};
 
 TEST(SecondMethod, AgreesForAllDampingModelsAndAngles) {

@@ -65,7 +65,8 @@ TEST(Stages, AreListedWithWhatChangesAndHowLongTheyLast) {
   const std::string text =
       stages_text(parse_case(heavy() + rest + "time_factor = 1.0\nuntil_ratio = 0.01\n"));
   EXPECT_THAT(text, HasSubstr("1  gravity             gravity       weight of 9.81 m/s2"));
-  EXPECT_THAT(text, HasSubstr("2  shaking             shaking       the motion enters; static tractions hold"));
+  EXPECT_THAT(text,
+              HasSubstr("2  shaking             shaking       the motion enters; static tractions hold"));
   EXPECT_THAT(text, HasSubstr("100 s, from 2 s, or until no excess pore pressure ratio is above 0.01"));
 }
 
