@@ -46,7 +46,7 @@ struct GroundWater {
 };
 
 /// That of a level table.
-inline GroundWater at_level(GroundWater water, double level) {
+inline GroundWater at_level(const GroundWater& water, double level) {
   return {level, water.fluid};
 }
 

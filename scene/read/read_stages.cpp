@@ -21,7 +21,7 @@ struct StageName {
 std::string read_name(const TableReader& table, const std::string& kind, std::vector<StageName>& earlier,
                       Findings& findings) {
   const std::string given = table.text("name");
-  const std::string name = given.empty() ? kind : given;
+  std::string name = given.empty() ? kind : given;
   const std::string path = given.empty() ? table.path("kind") : table.path("name");
   for (const StageName& other : earlier)
     if (other.name == name)
