@@ -68,7 +68,8 @@ TEST(NodeFieldTable, DryNodesHaveNoWater) {
     EXPECT_EQ((grid.*line.field).size(), trait_of(line.group) == NodeTrait::always ? 7U : 0U) << line.name;
   EXPECT_GT(bytes_per_node({.wet = true, .flowing = false}), bytes_per_node());
   EXPECT_GT(bytes_per_node({.wet = true, .flowing = true}), bytes_per_node({.wet = true, .flowing = false}));
-  EXPECT_EQ(bytes_per_node({.sharp = true, .seeping = true}), bytes_per_node() + 7 * sizeof(double));
+  EXPECT_EQ(bytes_per_node({.sharp = true}), bytes_per_node() + 7 * sizeof(double));
+  EXPECT_EQ(bytes_per_node({.seeping = true}), bytes_per_node() + 2 * sizeof(double));
 }
 
 TEST(NodeFieldTable, ClearingTakesTheGroupsOfAPart) {
