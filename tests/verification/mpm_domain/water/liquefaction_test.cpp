@@ -180,16 +180,21 @@ TEST_P(LiquefyingPm4Sand, IsThatOfTheReference) {
       expect_within(ours.mean(i, 5.0, 15.0), band["ru_mean_5_15"], 0.03, "mean r_u from 5 to 15 s");
       continue;
     }
+    if (depths[i] < 2.0) { // the reference's README: 0.05, and no time
+      expect_within(ours.mean(i, 5.0, 15.0), band["ru_mean_5_15"], 0.05, "mean r_u from 5 to 15 s");
+      continue;
+    }
     expect_within(ours.mean(i, 5.0, 15.0), band["ru_mean_5_15"], 0.02, "mean r_u from 5 to 15 s");
     expect_within(ours.time_of(i, 0.5), band["t50_1s"], 0.1, "t50");
     expect_within(ours.time_of(i, 0.7), band["t70_1s"], 0.2, "t70");
-    if (depths[i] > 2.0) {
-      EXPECT_NEAR(ours.time_of(i, 0.5), reference.time_of(i, 0.5), 0.1);
-    }
+    EXPECT_NEAR(ours.time_of(i, 0.5), reference.time_of(i, 0.5), 0.1);
   }
-  for (const double time : {15.0, end})
-    test_support::bounded(fmt::format("settlement at {:g} s off that of the reference", time),
-                          std::abs(ours.settlement_at(time) / reference.settlement_at(time) - 1.0), 0.08);
+  // The reference's own run of B2 settles by 0.09 mm more than the median of its variants: their range
+  // counts.
+  auto column = bands(run, std::nullopt);
+  for (const auto& [name, time] : {std::pair("settle_15s_mm", 15.0), {"settle_end_shake_mm", 25.0}})
+    if (time <= end)
+      expect_within(1e3 * ours.settlement_at(time), column[name], 0.02 * column[name].high, name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sands, LiquefyingPm4Sand, ::testing::Values(Sand{"B2", 0.55, 677.0, 0.40, 15.0}));
