@@ -44,13 +44,6 @@ void seepage_can_be_found(const Case& scene, Findings& findings) {
       !findings.sound("region"))
     return;
   refuse_levels(scene, *scene.water->seepage, findings);
-  if (!scene.constructions.empty())
-    findings.add(
-        "water.seepage",
-        fmt::format("the ground changes in the stage '{}', and the flow through it would change with it, "
-                    "which is found once, before the gravity stage: give a 'line' instead, or begin with "
-                    "the ground as it is built",
-                    scene.constructions.front().name));
   std::set<std::string> told;
   for (const Region& region : scene.regions)
     for (std::size_t s = region.soil; s <= region.soil + region.cuts.size() && s < scene.soils.size(); ++s) {
