@@ -2,6 +2,8 @@
 // stiffness, and those outside have an elastic law.
 
 #include "mpm_domain/gravity/held_soil.hpp"
+
+#include "mpm_domain/head/seepage_of_ground.hpp"
 #include "mpm_domain/particles/fill.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +38,7 @@ Spec layered() {
 using Found = std::map<std::pair<double, double>, std::tuple<std::string, double, bool>>;
 Found at_places(const Spec& spec) {
   Found found;
-  for (const Particles& set : fill(spec))
+  for (const Particles& set : fill(spec, head_of(spec)))
     for (std::size_t k = 0; k < set.size(); ++k)
       found[{set.x[k], set.y[k]}] = {set.soil, materials::elasticity(set.law).young,
                                      std::holds_alternative<materials::LinearElastic>(set.law)};
