@@ -45,7 +45,7 @@ std::vector<Vector> along_ground(const Spec& spec) {
 
 double factor(const Spec& spec) {
   const auto found = factor_of_safety(spec, 0.02, [](const StrengthTrial&) {});
-  return 0.5 * (found.stands + found.fails);
+  return 0.5 * (*found.stands + *found.fails);
 }
 
 TEST(WetSlope, StandsOrFailsByThePressureInIt) {
