@@ -60,7 +60,7 @@ double largest_eigenvalue(const Profile& profile, BaseKind base, double share_of
                           double share_of_limit) {
   const ColumnMesh mesh = mesh_profile(profile, 1.0);
   const ColumnSoil soil(profile, mesh);
-  MarchedState rest(wet_grid(profile, mesh, {}, false), soil);
+  MarchedState rest(wet_grid(profile, mesh, {}, false), soil, {profile, mesh, {}, 1.0});
   std::vector<double> moduli;
   soil.p_moduli(rest.soil, moduli);
   double fastest = profile.half_space.p_wave_speed();
@@ -71,7 +71,7 @@ double largest_eigenvalue(const Profile& profile, BaseKind base, double share_of
   if (base == BaseKind::compliant)
     scheme.half_space = base_impedance(profile.half_space, scheme.slowness).outgoing;
   MarchedTangent tangent(mesh.elements());
-  tangent.factor(scheme, rest.grid, moduli);
+  tangent.factor(scheme, rest, moduli);
 
   const std::size_t nodes = rest.velocity.size(), elements = mesh.elements();
   const std::size_t size = 8 * nodes + 4 * elements;
@@ -101,6 +101,8 @@ double largest_eigenvalue(const Profile& profile, BaseKind base, double share_of
       state.soil.sxx[e] += state.stress[e].xx;
       state.soil.syy[e] += state.stress[e].yy;
       state.soil.sxy[e] += state.stress[e].xy;
+      state.law_stress.row(static_cast<Eigen::Index>(e)) << state.stress[e].xx, state.stress[e].yy,
+          state.stress[e].xy;
       if (rest.grid.elements[e].stiffness == 0.0)
         state.stress[e].pressure = 0.0;
       state.excess[e] = state.stress[e].pressure;
