@@ -29,9 +29,10 @@ struct Example {
   const char* folder;
 };
 
-constexpr std::array examples{Example{"slope", "slope_oblique"}, Example{"box", "halfspace_box"},
-                              Example{"level_ground", "level_ground"}, Example{"tunnel", "tunnel_uplift"},
-                              Example{"buildings", "adjacent_buildings"}};
+constexpr std::array examples{
+    Example{"slope", "slope_oblique"},          Example{"box", "halfspace_box"},
+    Example{"level_ground", "level_ground"},    Example{"tunnel", "tunnel_uplift"},
+    Example{"buildings", "adjacent_buildings"}, Example{"levee", "embankment_on_sand"}};
 
 struct Options {
   std::string name;
