@@ -1,7 +1,6 @@
 #include "mpm_domain/particles/fill.hpp"
 
 #include "mesh/polygon.hpp"
-#include "mpm_domain/head/seepage_of_ground.hpp"
 #include "mpm_domain/particles/plots.hpp"
 #include "mpm_domain/spec/plot.hpp"
 #include "mpm_domain/spec/slices.hpp"
@@ -115,19 +114,6 @@ std::vector<std::vector<Vector>> polygons_of(const std::vector<Owner>& owners,
   return polygons;
 }
 
-/// The heads below which soil is wet.
-std::vector<Head> heads_that_wet(const Spec& spec, const std::optional<Head>& head) {
-  std::vector<Head> heads;
-  if (head)
-    heads.push_back(*head);
-  for (const GroundWater& water : spec.still_wet) {
-    Spec before = spec;
-    before.water = water;
-    heads.push_back(*head_of(before));
-  }
-  return heads;
-}
-
 } // namespace
 
 std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, const mesh::Quadtree* tree) {
@@ -141,7 +127,6 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
   auto structures = polygons_of(spec.structures, &Structure::outline);
   if (structures.empty() && spec.cut_at_edges)
     structures.emplace_back(); // an outline without corners
-  const std::vector<Head> waters = heads_that_wet(spec, head);
   Plots plots;
   const auto add = [&](int level, double x, double y) {
     const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
@@ -153,9 +138,7 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
     if (region == spec.regions.rend())
       return;
     const std::size_t soil = soil_at(region->soil, region->cuts, y);
-    const bool under_water = spec.soils[soil].pores && std::ranges::any_of(waters, [&](const Head& water) {
-                               return water.is_wet(x, y);
-                             });
+    const bool under_water = head && spec.soils[soil].pores && head->is_wet(x, y);
     const auto kind = std::ranges::find_if(kinds, [&](const Kind& candidate) {
       return candidate.soil == soil && candidate.under_water == under_water;
     });

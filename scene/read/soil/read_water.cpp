@@ -126,8 +126,14 @@ void follow_stages(Case& scene, Findings& findings) {
     stage.before.still_wet = scene.still_wet;
     if (!stage.undrained)
       scene.still_wet.clear();
-    else if (stage.water)
+    else if (stage.water) {
+      if (!stage.water->is_level() || !scene.water->is_level())
+        findings.add(
+            stage.path + ".drainage",
+            "water can change without flowing from one level to another alone, not to or from a 'line' or "
+            "seepage: leave drainage out");
       scene.still_wet.push_back(*scene.water);
+    }
     if (stage.water) {
       const materials::PoreFluid fluid = scene.water->fluid;
       scene.water = stage.water;
@@ -230,8 +236,15 @@ std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, dou
   return cut;
 }
 
+double level_below(double surface, double level, const Case& scene) {
+  for (const GroundWater& before : scene.still_wet)
+    level = std::max(level, std::min(before.level, surface));
+  return level;
+}
+
 std::vector<Layer> watered_profile(const Case& scene) {
-  return watered(scene.profile, scene.surface_level, scene.water ? scene.water->level : 0.0, scene);
+  const double level = scene.water ? level_below(scene.surface_level, scene.water->level, scene) : 0.0;
+  return watered(scene.profile, scene.surface_level, level, scene);
 }
 
 std::vector<Layer> watered(const std::vector<Layer>& layers, const LateralBoundary& side, const Case& scene) {
