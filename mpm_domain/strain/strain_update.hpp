@@ -81,8 +81,8 @@ template <typename Group>
 
 /// Updates stress and state of a chunk of soil with constant damping by its law, and that of its mechanisms.
 /// @returns the work of the mechanisms' stress, J/m
-inline double update_relaxing(Particles& p, std::size_t begin, materials::Points points,
-                              const Increments& moved, double dt) {
+[[gnu::noinline]] inline double update_relaxing(Particles& p, std::size_t begin, materials::Points points,
+                                                const Increments& moved, double dt) {
   const TurningStrain all{points.dexx, points.deyy, points.dgxy, points.dwxy};
   ChunkField exx, eyy, gxy, sxx, syy, sxy;
   see_share(p, points.count, all, exx.data(), eyy.data(), gxy.data());
