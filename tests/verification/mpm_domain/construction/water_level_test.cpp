@@ -144,7 +144,9 @@ INSTANTIATE_TEST_SUITE_P(Drainage, FreeWater,
 // surface that has come out of it, and rests there.
 TEST(WaterLevel, ThatFallsFastBesideASlopeLeavesItFullOfWater) {
   Spec spec = sand_under(0.5);
-  spec.soils.front().pores->permeability = 1e-7; // of what is excess, nothing flows off in this test
+  // Hardly anything is excess with stiff water, and nothing of it flows off; sides do not hold what is.
+  spec.soils.front().pores->permeability = 1e-7;
+  spec.water->fluid.bulk_modulus = 2.2e9;
   spec.box = {0.0, -4.0, 16.0, 2.0};
   spec.sides = Sides::free_field;
   spec.regions = {{0, {{0.0, -4.0}, {16.0, -4.0}, {16.0, 0.0}, {10.0, 0.0}, {6.0, 2.0}, {0.0, 2.0}}}};
@@ -166,7 +168,7 @@ TEST(WaterLevel, ThatFallsFastBesideASlopeLeavesItFullOfWater) {
       for (std::size_t k = 0; k < p.size(); ++k)
         fastest = std::max(fastest, std::hypot(p.vx[k], p.vy[k]));
   }
-  EXPECT_LT(fastest, 1e-5);
+  EXPECT_LT(fastest, 1e-4);
 }
 
 // A table that rises again lifts the soil by what its fall has let it settle.
