@@ -40,16 +40,12 @@ scene::Case at_end_of(const scene::Case& scene, const std::string& stage) {
   const auto named = std::ranges::find(names, stage);
   if (named == names.end())
     throw std::invalid_argument(refusal(scene, stage, names));
-  scene::Case then = scene;
-  const auto later = stages.begin() + (named - names.begin());
-  const auto change = std::find_if(later, stages.end(), [](const scene::BeforeShaking& one) {
-    return std::holds_alternative<const scene::ConstructionStage*>(one);
-  });
-  if (change != stages.end())
-    then = scene::before_construction(scene, *std::get<const scene::ConstructionStage*>(*change));
-  const auto loads = std::count_if(stages.begin(), later, [](const scene::BeforeShaking& one) {
-    return std::holds_alternative<const scene::LoadStage*>(one);
-  });
+  const auto number = named - names.begin();
+  scene::Case then = scene::model_of_stage(scene, static_cast<std::size_t>(number));
+  const auto loads =
+      std::count_if(stages.begin(), stages.begin() + number, [](const scene::BeforeShaking& one) {
+        return std::holds_alternative<const scene::LoadStage*>(one);
+      });
   then.loads.resize(static_cast<std::size_t>(loads));
   return then;
 }

@@ -8,19 +8,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <variant>
 #include <vector>
 
 namespace tremolo::mpm_domain {
 
 scene::Case case_of_stage(const scene::Case& scene, std::size_t stage) {
-  const auto stages = scene::static_stages(scene);
-  scene::Case then = scene;
-  for (std::size_t later = stage; later < stages.size(); ++later)
-    if (const auto* next = std::get_if<const scene::ConstructionStage*>(&stages[later])) {
-      then = before_construction(scene, **next);
-      break;
-    }
+  scene::Case then = scene::model_of_stage(scene, stage);
   then.monitors.clear();
   then.lines.clear();
   then.sliding_masses.clear();

@@ -105,6 +105,14 @@ Case before_construction(const Case& scene, const ConstructionStage& constructio
   return then;
 }
 
+Case model_of_stage(const Case& scene, std::size_t stage) {
+  const std::vector<BeforeShaking> stages = static_stages(scene);
+  for (std::size_t later = stage; later < stages.size(); ++later)
+    if (const auto* next = std::get_if<const ConstructionStage*>(&stages[later]))
+      return before_construction(scene, **next);
+  return scene;
+}
+
 std::vector<PlannedStage> stages(const Case& scene) {
   std::vector<PlannedStage> all;
   if (scene.gravity)

@@ -29,6 +29,9 @@ using BeforeShaking = std::variant<const LoadStage*, const ConstructionStage*>;
 std::vector<BeforeShaking> static_stages(const Case& scene);
 /// The case with the model as it was before a construction, and the loads of that time.
 Case before_construction(const Case& scene, const ConstructionStage& construction);
+/// The case with the model of a static stage, by its number (0 is gravity): that before the next
+/// construction.
+Case model_of_stage(const Case& scene, std::size_t stage);
 
 std::vector<PlannedStage> stages(const Case& scene);
 
