@@ -95,11 +95,12 @@ double come_to_rest(Domain& domain, const scene::Case& scene, const coupler::Par
       client->progress(planned[stage].name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
   const std::vector<StaticStage> then = static_settings(scene);
-  const auto leave = [&](std::size_t stage, Domain& model) {
-    if (client != nullptr && !then.empty())
+  StageShown leave;
+  if (client != nullptr && !then.empty())
+    leave = [&](std::size_t stage, Domain& model) {
       write_stage_frame(stage_folder(options.out, scene, stage), case_of_stage(scene, stage), model,
                         fmt::format("the frame of the stage '{}'", planned[stage].name));
-  };
+    };
   const Reactions reactions =
       bring_to_rest(domain, {gravity.residual, gravity.max_time}, then, progress, leave);
   if (client != nullptr && !reactions.ways.empty())
