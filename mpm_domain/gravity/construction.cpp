@@ -129,9 +129,13 @@ std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, co
   return lacking;
 }
 
-RigidLoad weight_before(const Domain& before, const Domain& after, std::size_t structure) {
-  const auto former = structure_of(before, after.contact.bodies()[structure].name());
-  return former ? before.contact.weight(*former) : RigidLoad{};
+std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after) {
+  std::vector<RigidLoad> weights;
+  for (const RigidBody& body : after.contact.bodies()) {
+    const auto former = structure_of(before, body.name());
+    weights.push_back(former ? before.contact.weight(*former) : RigidLoad{});
+  }
+  return weights;
 }
 
 } // namespace tremolo::mpm_domain

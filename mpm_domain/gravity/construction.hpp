@@ -35,7 +35,7 @@ std::vector<std::size_t> removed_structures(const Domain& before, const Domain& 
 std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, const std::vector<Vector>& f0,
                                    const std::vector<Vector>& f1);
 
-/// Weight and buoyancy of a structure in the model before; none of one that is placed.
-RigidLoad weight_before(const Domain& before, const Domain& after, std::size_t structure);
+/// Weight and buoyancy, in the model before, of the structures of the one after; none of one that is placed.
+std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after);
 
 } // namespace tremolo::mpm_domain

@@ -5,8 +5,6 @@
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/tiles/cell_means.hpp"
 #include "mpm_domain/transfer/gather.hpp"
-#include "mpm_domain/transfer/scatter.hpp"
-#include "mpm_domain/water/seepage_force.hpp"
 
 #include <fmt/format.h>
 
@@ -98,9 +96,7 @@ std::vector<std::size_t> release(Domain& domain, Relaxation& relaxation, const C
   if (!(relaxation.run(released, progress).residual < course.residual)) {
     moving = moving_bodies(domain);
     domain.sets = bonded;
-    scatter(domain, ScatterPart::force);
-    if (domain.has_seepage())
-      add_seepage(domain, domain.soil_rows);
+    relaxation.find_forces();
   }
   domain.contact.end_rest();
   return moving;
@@ -272,9 +268,10 @@ private:
     relaxation_->hold(lacking_forces(before, *model_, f0, relaxation_->forces()));
     Course course = course_of(construction);
     course.bonded = true;
+    const std::vector<RigidLoad> weights = weights_before(before, *model_);
     course.grow = [&](double share) {
-      for (std::size_t b = 0; b < model_->contact.bodies().size(); ++b)
-        model_->contact.weigh(*model_, b, share, weight_before(before, *model_, b));
+      for (std::size_t b = 0; b < weights.size(); ++b)
+        model_->contact.weigh(*model_, b, share, weights[b]);
     };
     const Relaxed rest = run(
         course, "the ground did not come to rest in a construction stage",

@@ -112,14 +112,15 @@ void Relaxation::find_skin(double cells) {
   }
 }
 
-void Relaxation::find_soil_forces() {
+void Relaxation::find_forces() {
   domain_.is_sharp() ? scatter_sharp_forces(domain_) : scatter(domain_, ScatterPart::force);
   if (domain_.has_seepage())
     add_seepage(domain_, domain_.soil_rows);
+  domain_.loads.add(domain_.grid);
 }
 
 std::vector<Vector> Relaxation::forces() {
-  find_soil_forces();
+  find_forces();
   std::vector<Vector> forces(domain_.grid.size());
   for (std::size_t n = 0; n < forces.size(); ++n)
     forces[n] = {domain_.grid.force_x[n], domain_.grid.force_y[n]};
@@ -197,9 +198,8 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
       if (course.grow)
         course.grow(share);
     }
-    find_soil_forces();
+    find_forces();
     add_held(share);
-    domain_.loads.add(domain_.grid);
     const Relaxed relaxed{course.first + step, relax_grid(course.bonded)};
     prolong(domain_, NodeGroup::velocity);
     const bool grows = passed < course.ramp;

@@ -43,7 +43,9 @@ public:
   /// Laws lose their softening, and soil its viscous damping, until finish().
   explicit Relaxation(Domain& domain);
 
-  /// What soil and elastic bodies bring to the nodes as they are, without contact and loads, N/m.
+  /// Gives the nodes the forces of soil, elastic bodies and loads as they are, without contact.
+  void find_forces();
+  /// These forces, N/m.
   std::vector<Vector> forces();
   /// Sets the load c that holds the nodes until something has grown.
   void hold(std::vector<Vector> load) { held_ = std::move(load); }
@@ -79,7 +81,6 @@ private:
   void find_supports();
   void find_supports(const Lattice& lattice);
   void find_skin(double cells);
-  void find_soil_forces();
   void add_held(double share);
   double relax_grid(bool bonded);
   void strain(bool undrained);
