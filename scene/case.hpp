@@ -118,7 +118,6 @@ struct Standing {
   std::vector<Region> regions;
   std::vector<Structure> structures;
   std::optional<GroundWater> water;
-  std::vector<GroundWater> still_wet; ///< of stages before, below which soil could not drain yet
 };
 
 /// A layer of a free-field profile.
@@ -386,10 +385,9 @@ struct Case {
   std::string text;                ///< the source
 
   MotionInput motion;
-  double surface_level = 0.0;         ///< y of the free field's surface, m; none above a shaking table
-  materials::Elasticity halfspace;    ///< none below a shaking table
-  std::optional<GroundWater> water;   ///< while the ground is shaken
-  std::vector<GroundWater> still_wet; ///< of stages before, below which soil could not drain yet
+  double surface_level = 0.0;       ///< y of the free field's surface, m; none above a shaking table
+  materials::Elasticity halfspace;  ///< none below a shaking table
+  std::optional<GroundWater> water; ///< while the ground is shaken
   std::vector<Soil> soils; ///< the slices of a soil stand one behind the other, and all have its name
   std::vector<SoilProfile> soil_profiles; ///< of the soils that are sliced
   std::vector<Region> regions;            ///< those that are there while the ground is shaken

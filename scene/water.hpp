@@ -22,6 +22,8 @@ struct GroundWater {
   materials::PoreFluid fluid;
   Polygon line = {};                      ///< corners of a phreatic line that is not level; otherwise empty
   std::optional<SideLevels> seepage = {}; ///< water flows between these
+  /// Soil above the table is wet up to this level, since it could not drain, m.
+  std::optional<double> still_wet = {};
 
   bool is_level() const { return line.empty() && !seepage; }
   /// The level at a side, and below its free field, m.
@@ -32,11 +34,15 @@ struct GroundWater {
       return side == Side::right ? line.back().y : line.front().y;
     return level;
   }
+  /// Likewise where the ground has a surface (m), up to which soil holds the water that could not drain.
+  double beside(Side side, double surface) const {
+    return still_wet ? std::max(level, std::min(*still_wet, surface)) : beside(side);
+  }
   /// The highest level that there is, m.
   double highest() const {
     if (!line.empty())
       return std::ranges::max(line, {}, &Point::y).y;
-    return std::max(beside(Side::left), beside(Side::right));
+    return std::max({beside(Side::left), beside(Side::right), still_wet.value_or(level)});
   }
 
   /// Pressure at y of water at rest below a table, Pa; 0 above it.

@@ -186,7 +186,6 @@ private:
           spec.regions = next->regions;
           spec.structures = next->structures;
           spec.water = next->water;
-          spec.still_wet = next->still_wet;
           spec.loads.resize(loads);
           own_ = std::make_shared<Domain>(spec);
           model_ = own_.get();

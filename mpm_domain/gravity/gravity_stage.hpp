@@ -91,7 +91,6 @@ struct ConstructionSettings : StageSettings {
   std::vector<Region> regions; ///< of the model until then
   std::vector<Structure> structures;
   std::optional<GroundWater> water;
-  std::vector<GroundWater> still_wet;
 };
 
 using StaticStage = std::variant<LoadSettings, ConstructionSettings>;

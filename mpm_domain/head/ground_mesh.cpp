@@ -37,19 +37,6 @@ HeadGrid grid_of(const Spec& spec) {
   return grid;
 }
 
-/// The highest edge of the regions at x, within the model; its base where there is none.
-double ground_at(const Spec& spec, double x) {
-  double highest = spec.box.y_min;
-  for (const Region& region : spec.regions)
-    for (std::size_t i = 0, j = region.polygon.size() - 1; i < region.polygon.size(); j = i++) {
-      const Vector& a = region.polygon[j];
-      const Vector& b = region.polygon[i];
-      if ((a.x > x) != (b.x > x))
-        highest = std::max(highest, a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
-    }
-  return std::min(highest, spec.box.y_max);
-}
-
 double permeability(const Spec& spec, std::size_t soil) {
   const Soil& of = spec.soils[soil];
   if (!of.pores || !(of.pores->permeability > 0.0))
@@ -171,6 +158,18 @@ void find_edges(GroundMesh& mesh) {
 }
 
 } // namespace
+
+double ground_at(const Spec& spec, double x) {
+  double highest = spec.box.y_min;
+  for (const Region& region : spec.regions)
+    for (std::size_t i = 0, j = region.polygon.size() - 1; i < region.polygon.size(); j = i++) {
+      const Vector& a = region.polygon[j];
+      const Vector& b = region.polygon[i];
+      if ((a.x > x) != (b.x > x))
+        highest = std::max(highest, a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
+    }
+  return std::min(highest, spec.box.y_max);
+}
 
 GroundMesh mesh_of(const Spec& spec) {
   GroundMesh mesh;

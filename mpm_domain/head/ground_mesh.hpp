@@ -28,6 +28,9 @@ struct GroundMesh {
   std::size_t column(std::size_t node) const { return node % grid.columns; }
 };
 
+/// The highest edge of the regions at x (m), within the model; its base where there is none.
+double ground_at(const Spec& spec, double x);
+
 /// @throws std::invalid_argument for a soil without permeability, which it names
 GroundMesh mesh_of(const Spec& spec);
 

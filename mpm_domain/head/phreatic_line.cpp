@@ -11,7 +11,8 @@ namespace {
 double highest(const GroundWater& water) {
   if (water.seepage)
     return std::max(water.seepage->left, water.seepage->right);
-  return water.line.empty() ? water.level : std::ranges::max(water.line, {}, &Vector::y).y;
+  return water.line.empty() ? std::max(water.level, water.still_wet.value_or(water.level))
+                            : std::ranges::max(water.line, {}, &Vector::y).y;
 }
 
 } // namespace

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -185,31 +184,18 @@ SeepageOfGround seep(const Spec& spec) {
 
 namespace {
 
-/// y of the surface of the ground at x, m; the least number where there is none.
-double top_of_ground(const Spec& spec, double x) {
-  double top = std::numeric_limits<double>::lowest();
-  for (const Region& region : spec.regions)
-    for (std::size_t i = 0, j = region.polygon.size() - 1; i < region.polygon.size(); j = i++) {
-      const Vector a = region.polygon[j];
-      const Vector b = region.polygon[i];
-      if ((a.x > x) != (b.x > x))
-        top = std::max(top, a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y));
-    }
-  return top;
-}
-
 /// Below ground that free water has left, and that could not drain, water stands up to the surface: it is
 /// undisturbed where its pressure is zero there (Morgenstern 1963).
 Head drawn_down(const Spec& spec) {
   const double level = spec.water->level;
-  const double wet = std::ranges::max(spec.still_wet, {}, &GroundWater::level).level;
+  const double wet = *spec.water->still_wet;
   const auto [left, right] = std::pair(spec.box.x_min, spec.box.x_max);
   const double width = particle_size(spec.cell_size, spec.particles_per_cell);
   const auto columns = static_cast<std::size_t>(std::lround((right - left) / width));
   std::vector<Vector> line;
   for (std::size_t c = 0; c < columns; ++c) {
     const double x = left + (static_cast<double>(c) + 0.5) * width;
-    line.push_back({x, std::min(wet, std::max(level, top_of_ground(spec, x)))});
+    line.push_back({x, std::min(wet, std::max(level, ground_at(spec, x)))});
   }
   const auto [low, high] = std::ranges::minmax(line, {}, &Vector::y);
   return low.y == high.y ? Head(low.y) : Head(std::move(line));
@@ -220,7 +206,7 @@ Head drawn_down(const Spec& spec) {
 std::optional<Head> head_of(const Spec& spec) {
   if (!spec.water)
     return std::nullopt;
-  if (!spec.still_wet.empty())
+  if (spec.water->still_wet)
     return drawn_down(spec);
   if (spec.water->seepage)
     return seep(spec).head;

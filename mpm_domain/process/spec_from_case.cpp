@@ -32,7 +32,7 @@ std::vector<Vector> corners_of(const scene::Polygon& polygon) {
 }
 
 GroundWater copy_of(const scene::GroundWater& water) {
-  GroundWater copy{.level = water.level, .fluid = water.fluid};
+  GroundWater copy{.level = water.level, .fluid = water.fluid, .still_wet = water.still_wet};
   for (const scene::Point& corner : water.line)
     copy.line.push_back({corner.x, corner.y});
   if (water.seepage)
@@ -42,12 +42,6 @@ GroundWater copy_of(const scene::GroundWater& water) {
 
 std::optional<GroundWater> water_of(const std::optional<scene::GroundWater>& water) {
   return water ? std::optional(copy_of(*water)) : std::nullopt;
-}
-
-std::vector<GroundWater> waters_of(const std::vector<scene::GroundWater>& waters) {
-  std::vector<GroundWater> copies;
-  std::ranges::transform(waters, std::back_inserter(copies), copy_of);
-  return copies;
 }
 
 Structure structure_of(const scene::Structure& structure) {
@@ -92,8 +86,7 @@ std::vector<StaticStage> static_settings(const scene::Case& scene) {
       const auto& construction = *std::get<const scene::ConstructionStage*>(stage);
       stages.emplace_back(ConstructionSettings{
           settings(construction), regions_of(construction.before.regions),
-          structures_of(construction.before.structures), water_of(construction.before.water),
-          waters_of(construction.before.still_wet)});
+          structures_of(construction.before.structures), water_of(construction.before.water)});
     }
   }
   return stages;
@@ -114,7 +107,6 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                           scene::damping_time(scene.damping, soil.damping), soil.pores,
                           scene::relaxation(scene.damping, soil.damping)});
   spec.water = water_of(scene.water);
-  spec.still_wet = waters_of(scene.still_wet);
   spec.regions = regions_of(scene.regions);
   spec.structures = structures_of(scene.structures);
   spec.cut_at_edges = !scene.structures.empty() ||

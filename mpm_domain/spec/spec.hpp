@@ -46,6 +46,8 @@ struct GroundWater {
   std::vector<Vector> line = {};
   /// Water flows steadily from one side to the other.
   std::optional<SideLevels> seepage = {};
+  /// Soil above a level table is wet up to here, since it could not drain, m.
+  std::optional<double> still_wet = {};
 };
 
 /// A polygon of one soil; where polygons overlap, the later one wins.
@@ -85,8 +87,6 @@ struct Spec {
   std::vector<mesh::Refinement> refine;
   double gravity = 0.0; ///< m/s2, downwards
   std::optional<GroundWater> water = {};
-  /// Waters of stages before, below which soil is wet still, since it could not drain.
-  std::vector<GroundWater> still_wet = {};
   std::vector<Soil> soils;
   std::vector<Region> regions;
   std::vector<Structure> structures = {};

@@ -18,7 +18,7 @@ const std::vector<Layer>& layers(const Case& scene, const SourceProcess& source)
 
 double water_level(const Case& scene, const SourceProcess& source) {
   if (!source.profile)
-    return scene.water->level;
+    return scene.water->beside(Side::left, scene.surface_level);
   return *source.profile == Side::left ? scene.boundary.left.water_level : scene.boundary.right.water_level;
 }
 

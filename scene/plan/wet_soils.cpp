@@ -128,7 +128,8 @@ std::vector<std::reference_wrapper<const Soil>> soils_below_table(const Case& sc
   const auto& [sides, left, right, base] = scene.boundary;
   for (std::size_t i = 0; i < scene.soils.size(); ++i)
     if (in_region_below(scene, i) ||
-        in_layer_below(scene.surface_level, scene.water->level, scene.profile, i) ||
+        in_layer_below(scene.surface_level, scene.water->beside(Side::left, scene.surface_level),
+                       scene.profile, i) ||
         in_layer_below(left.surface, left.water_level, layers(scene, left), i) ||
         in_layer_below(right.surface, right.water_level, layers(scene, right), i))
       soils.emplace_back(scene.soils[i]);

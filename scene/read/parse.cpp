@@ -50,7 +50,7 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
   auto& [sides, left, right, base] = scene.boundary;
   left.surface = right.surface = scene.surface_level;
   if (scene.water)
-    left.water_level = right.water_level = scene.water->level;
+    left.water_level = right.water_level = scene.water->beside(Side::left, scene.surface_level);
   if (side)
     read_sides(document, *side, findings, scene);
   left.field.model = right.field.model = base.field.model = model;

@@ -44,9 +44,8 @@ LateralBoundary ground_of_side(const char* name, double surface, const Case& sce
   LateralBoundary side;
   side.surface = surface;
   if (scene.water)
-    side.water_level = level_below(
-        surface, scene.water->beside(std::string_view(name) == "boundary.right" ? Side::right : Side::left),
-        scene);
+    side.water_level =
+        scene.water->beside(std::string_view(name) == "boundary.right" ? Side::right : Side::left, surface);
   return side;
 }
 
@@ -62,7 +61,7 @@ LateralBoundary read_side(Document& document, const char* name, Findings& findin
   auto own = read_layers(document, fmt::format("{}.profile", name).c_str(), findings, scene);
   // The water table cuts the layers of [[profile]] elsewhere under another surface, and another table does.
   if (scene.water && own.empty() &&
-      (surface != scene.surface_level || side.water_level != level_below(surface, scene.water->level, scene)))
+      (surface != scene.surface_level || side.water_level != scene.water->beside(Side::left, surface)))
     own = scene.profile;
   side.field = read_model(table, scene);
   side.own_profile = watered(own, side, scene);

@@ -59,7 +59,7 @@ GroundColumn ground_of_free_field(const Case& scene, const LateralBoundary& side
 
 GroundColumn ground_of_domain(const Case& scene, double x) {
   GroundColumn ground;
-  const double table = scene.water ? table_at(scene, x) : dry;
+  const double table = scene.water ? std::max(table_at(scene, x), scene.water->still_wet.value_or(dry)) : dry;
   for (const Region& region : scene.regions) {
     const std::vector<double> levels = crossings(region.polygon, x);
     for (std::size_t i = 0; i + 1 < levels.size(); i += 2) {

@@ -31,7 +31,8 @@ double table_at(const Case& scene, double x) {
 }
 
 double highest_table_at(const Case& scene, double x) {
-  return scene.water->seepage ? scene.water->highest() : table_at(scene, x);
+  const GroundWater& water = *scene.water;
+  return water.seepage || water.still_wet ? water.highest() : table_at(scene, x);
 }
 
 } // namespace tremolo::scene

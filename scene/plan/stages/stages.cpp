@@ -100,7 +100,6 @@ Case before_construction(const Case& scene, const ConstructionStage& constructio
   then.regions = construction.before.regions;
   then.structures = construction.before.structures;
   then.water = construction.before.water;
-  then.still_wet = construction.before.still_wet;
   then.loads.resize(construction.loads_before);
   return then;
 }

@@ -123,25 +123,24 @@ void follow_stages(Case& scene, Findings& findings) {
   for (std::size_t c = 0; c < scene.constructions.size(); ++c) {
     ConstructionStage& stage = scene.constructions[c];
     stage.before.water = scene.water;
-    stage.before.still_wet = scene.still_wet;
-    if (!stage.undrained)
-      scene.still_wet.clear();
-    else if (stage.water) {
+    std::optional<double> still_wet = stage.undrained ? scene.water->still_wet : std::nullopt;
+    if (stage.undrained && stage.water) {
       if (!stage.water->is_level() || !scene.water->is_level())
         findings.add(
             stage.path + ".drainage",
             "water can change without flowing from one level to another alone, not to or from a 'line' or "
             "seepage: leave drainage out");
-      scene.still_wet.push_back(*scene.water);
+      still_wet = scene.water->highest();
     }
     if (stage.water) {
       const materials::PoreFluid fluid = scene.water->fluid;
       scene.water = stage.water;
       scene.water->fluid = fluid;
     }
+    scene.water->still_wet = still_wet;
     const std::size_t end =
         c + 1 < scene.constructions.size() ? scene.constructions[c + 1].loads_before : scene.loads.size();
-    if (!scene.still_wet.empty())
+    if (still_wet)
       refuse_drained_loads(scene, stage.loads_before, end, findings);
   }
 }
@@ -236,15 +235,9 @@ std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, dou
   return cut;
 }
 
-double level_below(double surface, double level, const Case& scene) {
-  for (const GroundWater& before : scene.still_wet)
-    level = std::max(level, std::min(before.level, surface));
-  return level;
-}
-
 std::vector<Layer> watered_profile(const Case& scene) {
-  const double level = scene.water ? level_below(scene.surface_level, scene.water->level, scene) : 0.0;
-  return watered(scene.profile, scene.surface_level, level, scene);
+  const double surface = scene.surface_level;
+  return watered(scene.profile, surface, scene.water ? scene.water->beside(Side::left, surface) : 0.0, scene);
 }
 
 std::vector<Layer> watered(const std::vector<Layer>& layers, const LateralBoundary& side, const Case& scene) {

@@ -31,8 +31,6 @@ std::optional<double> saturated_density_of_law(const TableReader& table);
 /// they are.
 /// @param level  y of the table, m
 std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, double level, const Case& scene);
-/// The level (m) below a surface of ground that could not drain since water stood higher.
-double level_below(double surface, double level, const Case& scene);
 /// Likewise the layers of [[profile]], and those of a side.
 std::vector<Layer> watered_profile(const Case& scene);
 std::vector<Layer> watered(const std::vector<Layer>& layers, const LateralBoundary& side, const Case& scene);

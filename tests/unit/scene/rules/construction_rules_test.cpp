@@ -141,7 +141,7 @@ std::string falls(const std::string& name, const std::string& keys) {
 TEST(Stages, ChangeTheWater) {
   const Case scene = parse_case(with_water(falls("low", "level = -6.0") + falls("back", "level = -3.0")));
   EXPECT_EQ(scene.water->level, -3.0);
-  EXPECT_TRUE(scene.still_wet.empty());
+  EXPECT_EQ(scene.water->still_wet, std::nullopt);
   ASSERT_EQ(scene.constructions.size(), 2u);
   EXPECT_EQ(scene.constructions[0].before.water->level, -2.0);
   EXPECT_EQ(scene.constructions[1].before.water->level, -6.0);
@@ -151,12 +151,11 @@ TEST(Stages, ChangeTheWater) {
 
 TEST(Stages, ThatLetWaterFallFastLeaveSoilWet) {
   const Case fast = parse_case(with_water(falls("low", "level = -6.0\ndrainage = \"undrained\"")));
-  ASSERT_EQ(fast.still_wet.size(), 1u);
-  EXPECT_EQ(fast.still_wet.front().level, -2.0);
+  EXPECT_EQ(fast.water->still_wet, -2.0);
   const Case drained = parse_case(
       with_water(falls("low", "level = -6.0\ndrainage = \"undrained\"") + falls("later", "level = -6.0")));
-  EXPECT_TRUE(drained.still_wet.empty());
-  EXPECT_EQ(drained.constructions[1].before.still_wet.size(), 1u);
+  EXPECT_EQ(drained.water->still_wet, std::nullopt);
+  EXPECT_EQ(drained.constructions[1].before.water->still_wet, -2.0);
 }
 
 TEST(Stages, ThatChangeTheWaterNeedSome) {

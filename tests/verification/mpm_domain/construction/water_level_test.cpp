@@ -47,7 +47,7 @@ StaticStage falls_from(double level, Spec& spec, bool undrained) {
   GroundWater before = *spec.water;
   before.level = level;
   if (undrained)
-    spec.still_wet = {before};
+    spec.water->still_wet = level;
   return ConstructionSettings{{.ramp = 2.0, .residual = residual, .max_time = 60.0, .undrained = undrained},
                               spec.regions,
                               {},
@@ -171,8 +171,8 @@ TEST(WaterLevel, ThatComesBackFindsTheGroundWhereItWas) {
   GroundWater low = *spec.water;
   low.level = -fall;
   const StageSettings slow{.ramp = 2.0, .residual = residual, .max_time = 60.0};
-  const std::vector<StaticStage> stages{ConstructionSettings{slow, spec.regions, {}, spec.water, {}},
-                                        ConstructionSettings{slow, spec.regions, {}, low, {}}};
+  const std::vector<StaticStage> stages{ConstructionSettings{slow, spec.regions, {}, spec.water},
+                                        ConstructionSettings{slow, spec.regions, {}, low}};
   Domain domain(spec);
   rest(domain, stages, residual);
   EXPECT_NEAR(settlement_of_surface(domain), 0.0, 1e-6);
