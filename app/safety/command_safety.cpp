@@ -67,8 +67,8 @@ scene::Case case_of(const Options& options) {
   return scene;
 }
 
-void require_in_soil(const mpm_domain::Spec& spec, const char* option, Vector point) {
-  if (const double away = mpm_domain::distance_to_soil(spec, point); away > spec.cell_size)
+void require_in_soil(const mpm_domain::Ground& ground, const char* option, Vector point) {
+  if (const double away = mpm_domain::distance_to_soil(ground, point); away > ground.spec.cell_size)
     throw std::invalid_argument(
         fmt::format("{} {:g},{:g}: the nearest soil is {:.3g} m away; give a point in "
                     "it or on its surface, m",
@@ -77,8 +77,9 @@ void require_in_soil(const mpm_domain::Spec& spec, const char* option, Vector po
 
 /// The model of which only what lies between two points may fail.
 mpm_domain::Spec between(const mpm_domain::Spec& spec, const Ends& ends) {
-  require_in_soil(spec, "--from", ends.from);
-  require_in_soil(spec, "--to", ends.to);
+  const mpm_domain::Ground ground(spec);
+  require_in_soil(ground, "--from", ends.from);
+  require_in_soil(ground, "--to", ends.to);
   const auto [x_min, x_max] = std::minmax(ends.from.x, ends.to.x);
   if (!(x_max - x_min >= 4.0 * spec.cell_size))
     throw std::invalid_argument(

@@ -1,7 +1,5 @@
 #include "mpm_domain/gravity/held_soil.hpp"
 
-#include "mpm_domain/domain.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -61,10 +59,9 @@ Spec held_beside(Spec spec, double x_min, double x_max) {
   return spec;
 }
 
-double distance_to_soil(const Spec& spec, Vector point) {
+double distance_to_soil(const Ground& ground, Vector point) {
   double nearest = std::numeric_limits<double>::infinity();
-  Domain domain(spec);
-  for (const Particles& set : domain.sets_of_soil())
+  for (const Particles& set : ground.sets_of_soil())
     for (std::size_t k = 0; k < set.size(); ++k)
       nearest = std::min(nearest, std::hypot(set.x[k] - point.x, set.y[k] - point.y));
   return nearest;

@@ -5,7 +5,7 @@
 // factor of safety is that of the weakest mechanism that lies in it as a whole, and never less than that of
 // the model.
 
-#include "mpm_domain/spec/spec.hpp"
+#include "mpm_domain/ground.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -13,6 +13,6 @@ namespace tremolo::mpm_domain {
 Spec held_beside(Spec spec, double x_min, double x_max);
 
 /// How far a point is from the nearest particle of soil, m.
-double distance_to_soil(const Spec& spec, Vector point);
+double distance_to_soil(const Ground& ground, Vector point);
 
 } // namespace tremolo::mpm_domain

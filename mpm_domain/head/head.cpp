@@ -1,22 +1,13 @@
 #include "mpm_domain/head/head.hpp"
 
+#include "mpm_domain/spec/on_line.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace tremolo::mpm_domain {
 
 namespace {
-
-HeadThere below(const std::vector<Vector>& line, double x) {
-  const auto right = std::ranges::upper_bound(line, x, {}, &Vector::x);
-  if (right == line.begin())
-    return {line.front().y, {}};
-  if (right == line.end())
-    return {line.back().y, {}};
-  const Vector& a = *(right - 1);
-  const double slope = (right->y - a.y) / (right->x - a.x);
-  return {a.y + slope * (x - a.x), {slope, 0.0}};
-}
 
 /// A place along an axis of nodes: the node before it, and how far it lies on the way to the next.
 struct Along {
@@ -49,8 +40,10 @@ HeadThere between(const HeadGrid& grid, double x, double y) {
 HeadThere Head::at(double x, double y) const {
   if (const auto* level = std::get_if<double>(&field_))
     return {*level, {}};
-  if (const auto* line = std::get_if<std::vector<Vector>>(&field_))
-    return below(*line, x);
+  if (const auto* line = std::get_if<std::vector<Vector>>(&field_)) {
+    const auto [head, slope] = on_line(*line, x);
+    return {head, {slope, 0.0}};
+  }
   return between(std::get<HeadGrid>(field_), x, y);
 }
 

@@ -29,7 +29,7 @@ def figure_of(run):
     found = frames(run)
     if not found:
         return None
-    columns = [[_quantities(stage)[column] for _, stage in found] for column in range(2)]
+    columns = list(zip(*(_quantities(stage) for _, stage in found)))
     bounds = np.array([style.extent(stage, [0]) for _, stage in found])
     bounds = (*bounds[:, :2].min(axis=0), *bounds[:, 2:].max(axis=0))
     figure, axes = style.map_axes(bounds, len(found), 2)

@@ -74,8 +74,9 @@ TEST(HeldSoil, HasTheFrictionOfItsSoilAgainstStructures) {
 
 TEST(HeldSoil, DistancesAreThoseToParticles) {
   const Spec spec = layered(); // particles of half a metre
-  EXPECT_NEAR(distance_to_soil(spec, {4.25, 2.25}), 0.0, 1e-12);
-  EXPECT_NEAR(distance_to_soil(spec, {4.25, 9.75}), 4.0, 1e-12);
+  const Ground ground(spec);
+  EXPECT_NEAR(distance_to_soil(ground, {4.25, 2.25}), 0.0, 1e-12);
+  EXPECT_NEAR(distance_to_soil(ground, {4.25, 9.75}), 4.0, 1e-12);
 }
 
 } // namespace
