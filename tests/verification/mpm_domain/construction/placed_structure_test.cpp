@@ -1,8 +1,7 @@
 // Structures that are placed on ground at rest, or removed from it. In elastic soil the stress does not
 // depend on when they came; what depends on it is how far the ground has moved with them.
 
-#include "tests/support/structure_scene.hpp"
-#include "tests/verification/mpm_domain/construction/stages.hpp"
+#include "tests/verification/mpm_domain/construction/block_on_ground.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,22 +14,15 @@
 namespace tremolo::mpm_domain::test {
 namespace {
 
-using test_support::flat_ground;
 using test_support::quiet_ground;
-using test_support::rectangle;
 using test_support::StandingScene;
-using test_support::structure;
 
 constexpr double residual = 1e-9;
-constexpr double weight = 6.0 * 2000.0 * gravity; // N/m
 
-/// A block of 3 by 2 m on ground 16 m wide and 6 m deep.
 Spec with_block(bool elastic) {
-  Spec spec = flat_ground(16.0, 6.0, 0.5, {1900.0, 5e7, 0.3});
-  spec.structures = {structure(rectangle(-1.5, 0.0, 1.5, 2.0), 2000.0, 0.5)};
+  Spec spec = block_on_ground();
   if (elastic)
     spec.structures.front().stiffness = Stiffness{5e8, 0.2};
-  spec.cut_at_edges = true;
   return spec;
 }
 
@@ -50,10 +42,10 @@ TEST_P(PlacedStructure, BearsOnTheGroundAsIfItHadStoodThere) {
   StandingScene placed(spec, quiet_ground(), residual, {&place, 1});
   const StandingScene stood(spec);
   EXPECT_FALSE(placed.reactions.slipping);
-  EXPECT_LT(largest_difference_of_stress(placed.domain, stood.domain), 1e-3 * weight / 3.0);
+  EXPECT_LT(largest_difference_of_stress(placed.domain, stood.domain), 1e-3 * block_weight / 3.0);
   placed.run(0.02);
   const BodyForces forces = placed.domain.contact.forces(0);
-  EXPECT_NEAR(forces.normal.force.y + forces.friction.force.y, weight, 1e-5 * weight);
+  EXPECT_NEAR(forces.normal.force.y + forces.friction.force.y, block_weight, 1e-5 * block_weight);
   double fastest = 0.0;
   for (const Particles& set : placed.domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
@@ -71,7 +63,7 @@ TEST_P(PlacedStructure, LeavesTheGroundAsItWasWhenItIsRemoved) {
   rest(domain, stages, residual);
   Domain untouched(spec);
   rest(untouched, {}, residual);
-  EXPECT_LT(largest_difference_of_stress(domain, untouched), 1e-3 * weight / 3.0);
+  EXPECT_LT(largest_difference_of_stress(domain, untouched), 1e-3 * block_weight / 3.0);
   const Particles& p = domain.sets.front();
   for (std::size_t k = 0; k < p.size(); ++k)
     EXPECT_NEAR(p.y[k], p.y_initial[k], 1e-6);
@@ -108,14 +100,7 @@ struct BesidePit {
     Domain domain(bare);
     const StaticStage dig = construction(whole, residual);
     rest(domain, {&dig, 1}, residual);
-    const Particles& p = domain.sets.front();
-    std::pair<double, double> found{1.0, -1.0};
-    for (std::size_t k = 0; k < p.size(); ++k)
-      if (std::abs(p.x[k]) < 1.5 && p.y[k] > -0.25) {
-        const double up = p.y[k] - p.y_initial[k];
-        found = {std::min(found.first, up), std::max(found.second, up)};
-      }
-    return found;
+    return rise_below_block(domain);
   }
 };
 
