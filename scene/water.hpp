@@ -34,7 +34,7 @@ struct GroundWater {
       return side == Side::right ? line.back().y : line.front().y;
     return level;
   }
-  /// Likewise where the ground has a surface (m), up to which soil holds the water that could not drain.
+  /// The level at a side whose ground has a surface (m): soil holds water that could not drain up to there.
   double beside(Side side, double surface) const {
     return still_wet ? std::max(level, std::min(*still_wet, surface)) : beside(side);
   }
@@ -51,7 +51,7 @@ struct GroundWater {
   }
 };
 
-/// That of a level table.
+/// Water that rests below a level table (m), of the same fluid.
 inline GroundWater at_level(const GroundWater& water, double level) {
   return {level, water.fluid};
 }

@@ -21,7 +21,7 @@ struct Element {
   double permeability = 0.0;          ///< k of Darcy's law, m/s
 };
 
-/// What is known at a node.
+/// A node's boundary condition.
 enum class Condition {
   none, ///< water neither enters nor leaves
   head, ///< the head is given: free water, or a table beside the ground

@@ -33,7 +33,7 @@ def damping(model, reference):
 
 
 HYSTERETIC, AT_3, AT_10, CONSTANT = damping("hysteretic", 3.0), damping("kelvin_voigt", 3.0), damping("kelvin_voigt", 10.0), {}
-# What is shown, model, changes of the case, and whether the soil yields.
+# The rows of the table: name, model, changes of the case, and whether the soil yields.
 ROWS = [
     ("wave", "wave", LINEAR | HYSTERETIC, False),
     ("fe, constant", "fe", LINEAR | CONSTANT, False),

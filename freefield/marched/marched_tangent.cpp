@@ -58,7 +58,7 @@ StrainByMove strain_by_move(const MarchedScheme& scheme, const WetElement& eleme
   return strains;
 }
 
-/// Of law, relaxation mechanisms and water over a step, Pa.
+/// The stiffness over a step of law, relaxation mechanisms and water together, Pa.
 Eigen::Matrix4d stiffness(const WetElement& element, const StiffnessFactors& over_a_step, double modulus) {
   const double shear = over_a_step.shear * element.shear_ratio * modulus;
   const double area = over_a_step.area * (element.lateral_ratio + element.shear_ratio) * modulus;

@@ -87,13 +87,13 @@ public:
 private:
   void march(double time, State y, Derivative rate, double damping) const;
   bool is_nonlinear(std::size_t cell) const { return soil_index_[cell] < soil_.cells().size(); }
-  /// Of the law, Pa.
+  /// The stress of the law alone, Pa.
   double soil_stress(double time, std::size_t cell, double strain, double strain_rate) const;
-  /// Of the law's stress by strain, Pa.
+  /// The derivative of the law's stress by strain, Pa.
   double soil_tangent(double time, State y, std::size_t cell) const;
-  /// Of law and mechanisms, given that of the law, Pa.
+  /// The stress of law and mechanisms together, from that of the law, Pa.
   double stress_with(State y, std::size_t cell, double soil_stress) const;
-  /// Of the stress of law and mechanisms by time, Pa/s.
+  /// The rate of the stress of law and mechanisms together, Pa/s.
   double stress_rate(double time, State y, State y_rate, std::size_t cell) const;
   void remember(State y, std::size_t cell, double soil_stress, Derivative rate) const;
   double strain_rate(double time, State y, std::size_t cell) const;

@@ -107,7 +107,7 @@ ReducibleSoils reducible_soils(const Spec& spec) {
     if (names.empty() || names.back() != soil.name) // slices of one soil have its name
       names.push_back(soil.name);
   }
-  // Of a model of which only a part may fail, soils stand there twice (held_soil.hpp).
+  // A model that may fail only in a part has its soils twice (held_soil.hpp).
   std::erase_if(soils.kept, [&](const std::string& name) {
     return std::ranges::find(soils.reduced, name) != soils.reduced.end();
   });

@@ -20,7 +20,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What was found of the flow.
+/// The flow, in the numbers that a user asks for.
 struct SeepageFound {
   double discharge = 0.0; ///< m2/s
   int iterations = 0;

@@ -60,7 +60,7 @@ struct ComplexModuli {
 /// The moduli of one medium.
 class MediumModuli {
 public:
-  /// Of layer `index` from the top, of the half-space for index = layers.size().
+  /// The moduli of layer `index`, counted from the top; for index = layers.size() those of the half-space.
   MediumModuli(const LayeredHalfSpace& profile, std::size_t index);
 
   /// The models none, hysteretic and shake do not depend on s; for kjartansson s = 0 gives the undamped

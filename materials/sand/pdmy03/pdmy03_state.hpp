@@ -80,7 +80,7 @@ public:
   RestingCentres(double* block, std::size_t surfaces)
       : first_(reinterpret_cast<unsigned char*>(block + pdmy03_fixed_size)), surfaces_(surfaces) {}
 
-  /// Of surface i, from 1; zero for the failure surface.
+  /// The centre of surface i, counted from 1; zero for the failure surface.
   Deviator3 operator[](std::size_t i) const {
     if (i >= surfaces_)
       return {};

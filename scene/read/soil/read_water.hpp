@@ -31,8 +31,9 @@ std::optional<double> saturated_density_of_law(const TableReader& table);
 /// they are.
 /// @param level  y of the table, m
 std::vector<Layer> watered(const std::vector<Layer>& layers, double surface, double level, const Case& scene);
-/// Likewise the layers of [[profile]], and those of a side.
+/// The layers of [[profile]], cut in this way.
 std::vector<Layer> watered_profile(const Case& scene);
+/// The layers of a side, cut at the table below its own surface.
 std::vector<Layer> watered(const std::vector<Layer>& layers, const LateralBoundary& side, const Case& scene);
 
 } // namespace tremolo::scene

@@ -66,7 +66,7 @@ MarchedColumn oblique(const Profile& profile, const Damping& damping, double siz
           pulse.input()};
 }
 
-/// Of errors on elements of one size and of a quarter of it.
+/// Expects second order from errors on elements of one size and of a quarter of it.
 void expect_second_order(const ColumnErrors& coarse, const ColumnErrors& fine, double largest,
                          double least_order = 1.85) {
   for (std::size_t q = 0; q < fine.size(); ++q) {

@@ -36,7 +36,7 @@ double largest_in_band(const DampingBand& band, const Measure& measure) {
 struct Wanted {
   DampingBand band;
   double error_of_ratio;
-  /// Of the phase velocity, at ratios of 0.5, 2, 5, 10 and 20 %.
+  /// The error of the phase velocity, at ratios of 0.5, 2, 5, 10 and 20 %.
   std::array<double, 5> error_of_velocity;
   std::array<double, 5> unrelaxed; ///< G_U/G at these
 };
