@@ -47,9 +47,8 @@ TEST(SeepageInStages, IsThatOfTheGroundOfEachStage) {
   flow.seepage = {3.0, -0.5};
   std::vector<Region> whole = spec.regions;
   whole.push_back(foot());
-  const StageSettings slow{.ramp = 2.0, .residual = residual, .max_time = 60.0};
-  const std::vector<StaticStage> stages{ConstructionSettings{slow, whole, {}, before},
-                                        ConstructionSettings{slow, whole, {}, flow}};
+  const std::vector<StaticStage> stages{construction(whole, residual, 2.0, false, {}, before),
+                                        construction(whole, residual, 2.0, false, {}, flow)};
   Domain domain(spec);
   replace_constraints(domain, rest(domain, stages, residual));
   const SeepageOfGround alone = seep(spec);

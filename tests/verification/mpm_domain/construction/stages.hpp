@@ -39,8 +39,7 @@ inline StaticStage construction(std::vector<Region> before, double residual, dou
   return ConstructionSettings{{.ramp = ramp, .residual = residual, .max_time = 60.0, .undrained = undrained},
                               std::move(before),
                               std::move(structures),
-                              water,
-                              {}};
+                              water};
 }
 
 inline Reactions rest(Domain& domain, std::span<const StaticStage> stages, double residual) {

@@ -48,11 +48,7 @@ StaticStage falls_from(double level, Spec& spec, bool undrained) {
   before.level = level;
   if (undrained)
     spec.water->still_wet = level;
-  return ConstructionSettings{{.ramp = 2.0, .residual = residual, .max_time = 60.0, .undrained = undrained},
-                              spec.regions,
-                              {},
-                              before,
-                              {}};
+  return construction(spec.regions, residual, 2.0, undrained, {}, before);
 }
 
 double settlement_of_surface(const Domain& domain) {
@@ -170,9 +166,8 @@ TEST(WaterLevel, ThatComesBackFindsTheGroundWhereItWas) {
   Spec spec = sand_under(0.0);
   GroundWater low = *spec.water;
   low.level = -fall;
-  const StageSettings slow{.ramp = 2.0, .residual = residual, .max_time = 60.0};
-  const std::vector<StaticStage> stages{ConstructionSettings{slow, spec.regions, {}, spec.water},
-                                        ConstructionSettings{slow, spec.regions, {}, low}};
+  const std::vector<StaticStage> stages{construction(spec.regions, residual, 2.0, false, {}, spec.water),
+                                        construction(spec.regions, residual, 2.0, false, {}, low)};
   Domain domain(spec);
   rest(domain, stages, residual);
   EXPECT_NEAR(settlement_of_surface(domain), 0.0, 1e-6);
