@@ -91,12 +91,12 @@ void ColumnSoil::update(SoilState& state, const std::vector<double>& dexx, const
   }
 }
 
-void ColumnSoil::reconsolidate() {
-  if (resting_)
+void ColumnSoil::rest(bool rests) {
+  if (resting_ == rests)
     return;
-  resting_ = true;
+  resting_ = rests;
   for (Block& block : blocks_)
-    block.law = materials::after_shaking(block.law);
+    block.law = rests ? materials::after_shaking(block.law) : materials::shaken_again(block.law);
 }
 
 void ColumnSoil::p_moduli(SoilState& state, std::vector<double>& moduli) const {

@@ -351,15 +351,16 @@ double empty_mass(const Ground& ground) {
   return share_of_full_cell * density * h * h;
 }
 
-void rest_if_due(Ground& ground, double time) {
-  const std::optional<materials::RestClock>& rest = ground.spec.rest;
-  if (!rest || !rest->has_begun(time))
+void follow_clock(Ground& ground, double time) {
+  const materials::SoilClock& clock = ground.spec.clock;
+  if (!clock.has_rested(time))
     return;
+  const bool rests = clock.rests(time);
   for (Particles& set : ground.sets_of_soil()) {
-    set.law = materials::after_shaking(set.law);
+    set.law = rests ? materials::after_shaking(set.law) : materials::shaken_again(set.law);
     if (set.water)
       set.water->pores.permeability =
-          rest->speed(time) * ground.spec.soils[set.soil_index].pores->permeability;
+          clock.speed(time) * ground.spec.soils[set.soil_index].pores->permeability;
   }
 }
 

@@ -175,10 +175,9 @@ void weigh_across(Ground& ground, int slowest_clock = 0);
 /// lies on nodes would make these nodes pull at it.
 double empty_mass(const Ground& ground);
 
-/// Soil reconsolidates (materials::after_shaking) and its water flows as the clock of the rest says, at all
-/// times from its beginning on.
+/// Soil is shaken or reconsolidates (materials::after_shaking), and its water flows, as the clock says.
 /// @param time  that the ground has come to, s
-void rest_if_due(Ground& ground, double time);
+void follow_clock(Ground& ground, double time);
 
 /// Puts a head in the place of that of the undisturbed water: pore pressures become those that go with it,
 /// and the grid's fields zero. Which soil is wet stays as it was at the start.

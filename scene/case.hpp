@@ -5,7 +5,7 @@
 
 #include "materials/law/law.hpp"
 #include "materials/relaxation/constant_damping.hpp"
-#include "materials/water/rest_clock.hpp"
+#include "materials/water/soil_clock.hpp"
 #include "motion/read/read.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 #include "mpm_domain/spec/slices.hpp"
@@ -42,14 +42,33 @@ struct MotionFile {
   double scale = 1.0;
 };
 
-/// The incident plane wave. An incident motion is along the polarisation, SV (cos, -sin) and P (sin, cos) of
-/// the angle, at the reference point; scene::Motion evaluates it.
+using MotionSource = std::variant<RickerPulse, MotionFile>;
+
+/// The motion of one shaking.
+struct ShakingMotion {
+  MotionSource source;
+  std::size_t stage = 0;       ///< index into Case::timed
+  double start = 0.0;          ///< simulated time at which the stage begins, t = 0 of the motion, s
+  std::string path = "motion"; ///< of its table in messages, "stage[3].motion"
+};
+
+/// A record of [motion] or [stage.motion].
+struct GivenRecord {
+  const MotionFile* file;
+  std::string path; ///< of its table
+};
+
+/// The incident plane waves, which add up. An incident motion is along the polarisation, SV (cos, -sin) and P
+/// (sin, cos) of the angle, at the reference point; scene::Motion evaluates it.
 struct MotionInput {
-  std::variant<RickerPulse, MotionFile> source;
+  std::vector<ShakingMotion> shakings = {{}}; ///< of each stage in which the ground is shaken; at least one
   motion::MotionKind kind = motion::MotionKind::incident;
   Wave wave = Wave::sv;
   double angle_deg = 0.0; ///< from the vertical, travelling to +x, +y; in [0, 90)
   Point reference;
+
+  /// Those of all shakings; they point into this.
+  std::vector<GivenRecord> records() const;
 };
 
 /// Modulus reduction and damping against shear strain (engineering, 1).
@@ -273,22 +292,26 @@ struct ConstructionStage : StaticStage {
   Standing before;                  ///< what stands until it
 };
 
-/// [[stage]] kind = "shaking"; t = 0 of the motion is its start.
-struct ShakingStage {
-  std::string name = "shaking";
-  double duration = 0.0; ///< s
-};
-
-/// [[stage]] kind = "rest": sand reconsolidates as sand that has been shaken (materials::after_shaking).
-struct RestStage {
-  std::string name = "rest";
-  double duration = 0.0;             ///< of the soil's time, s
-  double time_factor = 1.0;          ///< F of the rest's clock (materials/water/rest_clock.hpp)
+/// What a rest has besides its time: sand reconsolidates as sand that has been shaken
+/// (materials::after_shaking).
+struct Rest {
+  double time_factor = 1.0;          ///< F of the soil's clock (materials/water/soil_clock.hpp)
   std::optional<double> until_ratio; ///< ends when no excess pore pressure ratio is larger, 1
   /// First interval of particle frames, of the soil's time, s; none: that of the output.
   std::optional<double> every;
   double growth = 1.0;                 ///< of each interval of frames over the one before
   std::optional<double> history_every; ///< interval of histories, likewise
+};
+
+/// [[stage]] kind = "shaking", the motion enters, its t = 0 is the start of the stage; or "rest".
+struct TimedStage {
+  std::string name;
+  double start = 0.0;       ///< of the soil's time, which begins with the first shaking, s
+  double duration = 0.0;    ///< s
+  std::optional<Rest> rest; ///< absent: the ground is shaken
+  std::string path;         ///< of its table in messages, "stage[1]"
+
+  double end() const { return start + duration; }
 };
 
 struct Coupling {
@@ -404,8 +427,7 @@ struct Case {
   std::optional<GravityStage> gravity; ///< absent: weightless, the model starts at rest without stress
   std::vector<LoadStage> loads;        ///< in the order in which they come
   std::vector<ConstructionStage> constructions; ///< likewise
-  ShakingStage shaking;
-  std::optional<RestStage> rest; ///< absent: sand drains to the end as it does while it is shaken
+  std::vector<TimedStage> timed;                ///< shakings and rests in their order, a shaking first
   Coupling coupling;
   Recording recording;
   Hosts hosts;
@@ -419,14 +441,14 @@ struct Case {
   std::vector<ValueInForce> values;
   std::vector<Finding> remarks; ///< warnings, then notes, of the rules that such a case goes by
 
-  /// The clock of the rest; none: there is no rest.
-  std::optional<materials::RestClock> rest_clock() const {
-    return rest ? std::optional<materials::RestClock>({shaking.duration, rest->time_factor}) : std::nullopt;
-  }
-  /// Time of the soil when the last stage ends, s after the shaking has begun.
-  double end_of_soil_time() const { return shaking.duration + (rest ? rest->duration : 0.0); }
+  /// The clock of the soil, which is shaken and rests.
+  materials::SoilClock clock() const;
+  /// The rest with the largest time factor; null without one: sand drains to the end as while it is shaken.
+  const TimedStage* fastest_rest() const;
+  /// Time of the soil when the last stage ends, s after the first shaking has begun.
+  double end_of_soil_time() const { return timed.empty() ? 0.0 : timed.back().end(); }
   /// The simulated time then, s.
-  double end() const { return rest ? rest_clock()->simulated_time(end_of_soil_time()) : shaking.duration; }
+  double end() const { return clock().simulated_time(end_of_soil_time()); }
 };
 
 /// Reads and checks a case file.

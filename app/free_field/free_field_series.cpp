@@ -58,7 +58,7 @@ ColumnSample in_time_of_soil(ColumnSample sample, double speed) {
 /// A column, marched; before its start it is at rest. States are sampled only at the ends of steps in which a
 /// time is asked for.
 /// @param clock  of the times of the series
-void march(freefield::Column& column, const materials::RestClock& clock, FreeFieldSeries& series) {
+void march(freefield::Column& column, const materials::SoilClock& clock, FreeFieldSeries& series) {
   const std::size_t levels = series.levels.size();
   const double dt = column.time_step();
   std::vector<ColumnSample> before(levels);
@@ -103,13 +103,23 @@ void synthesise(const wavefield::LayeredField& field, double x, wavefield::Part 
       series.samples[k * series.times.count + i] = at_time(histories[k], i);
 }
 
+/// The case whose later motions begin at the soil's own times, for models that simulate no other.
+scene::Case in_time_of_soil(scene::Case scene) {
+  for (scene::ShakingMotion& shaking : scene.motion.shakings)
+    if (shaking.stage > 0)
+      shaking.start = scene.timed[shaking.stage].start;
+  return scene;
+}
+
 } // namespace
 
-FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceProcess& source,
+FreeFieldSeries free_field_series(const scene::Case& given, const scene::SourceProcess& source,
                                   std::vector<double> levels, const wavefield::TimeGrid& times, double x_line,
                                   TimeOf time) {
   FreeFieldSeries series = empty_series(std::move(levels), times);
   const double before = cpu_seconds();
+  const bool marches = !scene::in_frequency_domain(source.field.model);
+  const scene::Case& scene = time == TimeOf::soil && !marches ? in_time_of_soil(given) : given;
   switch (source.field.model) {
   case scene::SourceModel::wave:
     synthesise(wavefield::field_from_case(scene, source), x_line, wavefield::Part::total, series);
@@ -126,9 +136,7 @@ FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceP
     const auto column = source.field.model == scene::SourceModel::mpm
                             ? mpm_domain::column_from_case(scene, source, x_line, times.start)
                             : freefield::column_from_case(scene, source, x_line, times.start);
-    const materials::RestClock clock =
-        time == TimeOf::soil ? scene.rest_clock().value_or(materials::RestClock{}) : materials::RestClock{};
-    march(*column, clock, series);
+    march(*column, time == TimeOf::soil ? scene.clock() : materials::SoilClock(), series);
     series.report = column->report();
     break;
   }

@@ -25,7 +25,7 @@ struct FreeFieldSeries {
   }
 };
 
-/// Whose time a series has: they differ in a rest with a time factor (materials/water/rest_clock.hpp).
+/// Whose time a series has: they differ in a rest with a time factor (materials/water/soil_clock.hpp).
 enum class TimeOf { simulation, soil };
 
 /// Computes a free field in this process with the model of the source: wave, fe, ode, eql or mpm.

@@ -14,7 +14,7 @@ namespace tremolo::coupler {
 
 namespace {
 
-constexpr std::string_view record_checksum = "motion.file (CRC-32)";
+constexpr std::string_view checksum_of_file = "file (CRC-32)";
 
 using Values = std::map<std::string, std::string, std::less<>>;
 
@@ -59,9 +59,8 @@ bool begins_with_any(std::string_view key, const auto& prefixes) {
 /// The values on which the free field of a side depends; keys of the side's own ground without its name.
 /// @param model of the recording
 Values of_free_field(const Values& values, scene::Side side, const std::string& model) {
-  const std::array<std::string, 9> always{"motion.",  "surface.", "halfspace.", "profile[",
-                                          "damping.", "mesh.",    model + ".",  std::string(record_checksum),
-                                          "rest."};
+  const std::array<std::string, 8> always{"motion.",  "surface.", "halfspace.", "profile[",
+                                          "damping.", "mesh.",    model + ".",  "rest."};
   const auto soils = soils_of_layers(values);
   const std::string ground = ground_prefix(side);
   Values kept;
@@ -81,18 +80,47 @@ std::string shown_key(const std::string& key, scene::Side side) {
   return key.starts_with(any_side) ? ground_prefix(side) + key.substr(any_side.size()) : key;
 }
 
+/// "motion." and "motion.2.", of the first and the second one.
+std::string numbered(std::string_view what, std::size_t index) {
+  return index == 0 ? fmt::format("{}.", what) : fmt::format("{}.{}.", what, index + 1);
+}
+
+/// What the records hold; of a later shaking all that its stage says, under a name without the stage's
+/// number.
+void add_motions(const scene::Case& scene, std::vector<results::RecordedValue>& values) {
+  for (std::size_t i = 0; i < scene.motion.shakings.size(); ++i) {
+    const scene::ShakingMotion& shaking = scene.motion.shakings[i];
+    const std::string name = numbered("motion", i);
+    if (const auto* file = std::get_if<scene::MotionFile>(&shaking.source))
+      values.push_back({name + std::string(checksum_of_file), text_crc(read_text_file(file->path))});
+    if (i == 0)
+      continue;
+    values.push_back({name + "from", fmt::format("{} s", shaking.start)});
+    const std::string given = shaking.path + ".";
+    for (const scene::ValueInForce& value : scene.values)
+      if (value.key.starts_with(given) && value.key != given + "file")
+        values.push_back({name + value.key.substr(given.size()), value.value});
+  }
+}
+
+void add_rests(const scene::Case& scene, std::vector<results::RecordedValue>& values) {
+  std::size_t rests = 0;
+  for (const scene::TimedStage& stage : scene.timed)
+    if (stage.rest) {
+      const std::string name = numbered("rest", rests++);
+      values.push_back({name + "from", fmt::format("{} s", stage.start)});
+      values.push_back({name + "time_factor", fmt::format("{}", stage.rest->time_factor)});
+    }
+}
+
 } // namespace
 
 std::vector<results::RecordedValue> recorded_values(const scene::Case& scene) {
   std::vector<results::RecordedValue> values;
   for (const scene::ValueInForce& value : scene.values)
     values.push_back({value.key, value.value});
-  if (const auto* file = std::get_if<scene::MotionFile>(&scene.motion.source))
-    values.push_back({std::string(record_checksum), text_crc(read_text_file(file->path))});
-  if (const auto rest = scene.rest_clock()) {
-    values.push_back({"rest.from", fmt::format("{} s", rest->from)});
-    values.push_back({"rest.time_factor", fmt::format("{}", rest->factor)});
-  }
+  add_motions(scene, values);
+  add_rests(scene, values);
   return values;
 }
 

@@ -119,7 +119,7 @@ BaseDrive MarchedColumn::drive_to_next() const {
 }
 
 void MarchedColumn::step() {
-  rest_if_due(settings_.rest, time(), soil_, state_.grid);
+  follow_clock(settings_.clock, time(), soil_, state_.grid);
   if (damped_)
     soil_.degraded_moduli(state_.soil, degraded_);
   const BaseDrive drive = drive_to_next();

@@ -12,11 +12,10 @@
 #include "freefield/marched/marched_trial.hpp"
 #include "freefield/profile.hpp"
 #include "freefield/twophase/wet_energy.hpp"
-#include "materials/water/rest_clock.hpp"
+#include "materials/water/soil_clock.hpp"
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace tremolo::freefield {
@@ -27,8 +26,7 @@ struct MarchedSettings {
   double slowness_x = 0.0;       ///< s = sin(angle)/c of the incident wave, s/m, at least 0: it travels to +x
   Damping damping;               ///< read only where a layer has a damping ratio
   double start_time = 0.0;       ///< s; the column is at rest then
-  /// When it has begun, shaking is over and soil reconsolidates.
-  std::optional<materials::RestClock> rest = {};
+  materials::SoilClock clock = {};     ///< while it rests, shaking is over and soil reconsolidates
   BaseKind base = BaseKind::compliant; ///< a rigid base moves as v(t - s x)
   /// Largest residual at which a step's iteration ends, over the largest stress increment so far, in (0, 1].
   /// The error that remains is smaller by orders of magnitude (docs/free-fields/fe-column.md).

@@ -125,7 +125,7 @@ Settings element_settings(const scene::Case& scene, const ColumnInput& input) {
   settings.max_element_size = scene.fe.element_size;
   settings.damping = damping_from_case(scene);
   settings.base = input.base;
-  settings.rest = scene.rest_clock();
+  settings.clock = scene.clock();
   return settings;
 }
 

@@ -76,7 +76,7 @@ double TwoPhaseColumn::time() const {
 }
 
 void TwoPhaseColumn::step() {
-  rest_if_due(settings_.rest, time(), soil_, grid_);
+  follow_clock(settings_.clock, time(), soil_, grid_);
   const double dt = settings_.time_step;
   for (std::size_t i = 0; i < u_.size(); ++i) {
     u_[i].x += dt * v_[i][0].solid;

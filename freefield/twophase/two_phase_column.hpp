@@ -10,22 +10,20 @@
 #include "freefield/twophase/wet_energy.hpp"
 #include "freefield/twophase/wet_grid.hpp"
 #include "freefield/twophase/wet_snapshot.hpp"
-#include "materials/water/rest_clock.hpp"
+#include "materials/water/soil_clock.hpp"
 
 #include <array>
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace tremolo::freefield {
 
 struct TwoPhaseSettings {
-  double max_element_size = 0.0; ///< m; every layer is cut into equal elements no longer than this
-  double time_step = 0.0;        ///< s
-  Damping damping;               ///< read only where a layer has a damping ratio
-  double start_time = 0.0;       ///< s; the column is at rest then
-  /// When it has begun, shaking is over and soil reconsolidates.
-  std::optional<materials::RestClock> rest = {};
+  double max_element_size = 0.0;   ///< m; every layer is cut into equal elements no longer than this
+  double time_step = 0.0;          ///< s
+  Damping damping;                 ///< read only where a layer has a damping ratio
+  double start_time = 0.0;         ///< s; the column is at rest then
+  materials::SoilClock clock = {}; ///< while it rests, shaking is over and soil reconsolidates
   BaseKind base = BaseKind::compliant;
   /// Stress that loads the surface from the start, tension positive, Pa, of time; nothing loads it without.
   std::function<double(double time)> surface_load = {};

@@ -37,12 +37,11 @@ RestingColumn resting_column(const Profile& profile, double max_element_size, co
   return column;
 }
 
-void rest_if_due(const std::optional<materials::RestClock>& rest, double time, ColumnSoil& soil,
-                 WetGrid& grid) {
-  if (!rest || !rest->has_begun(time))
+void follow_clock(const materials::SoilClock& clock, double time, ColumnSoil& soil, WetGrid& grid) {
+  if (!clock.has_rested(time))
     return;
-  soil.reconsolidate();
-  set_flow_speed(grid, rest->speed(time));
+  soil.rest(clock.rests(time));
+  set_flow_speed(grid, clock.speed(time));
 }
 
 void require_pores(const WetGrid& grid, const ColumnMesh& mesh, double time) {

@@ -6,9 +6,8 @@
 #include "freefield/profile.hpp"
 #include "freefield/twophase/wet_energy.hpp"
 #include "freefield/twophase/wet_grid.hpp"
-#include "materials/water/rest_clock.hpp"
+#include "materials/water/soil_clock.hpp"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,9 +30,8 @@ struct RestingColumn {
 ///         strength
 RestingColumn resting_column(const Profile& profile, double max_element_size, const Damping& damping);
 
-/// When the rest has begun, lets all soil reconsolidate and its water flow as the clock says.
-void rest_if_due(const std::optional<materials::RestClock>& rest, double time, ColumnSoil& soil,
-                 WetGrid& grid);
+/// Lets all soil be shaken or reconsolidate, and its water flow, as the clock says.
+void follow_clock(const materials::SoilClock& clock, double time, ColumnSoil& soil, WetGrid& grid);
 
 /// @throws std::runtime_error where an element has strained so much that its porosity has left 0.01 to 0.95
 void require_pores(const WetGrid& grid, const ColumnMesh& mesh, double time);

@@ -54,6 +54,11 @@ const L& after_shaking(const L& law) {
 }
 
 template <class L>
+const L& shaken_again(const L& law) {
+  return law;
+}
+
+template <class L>
 const L& for_cell_size(const L& law, double /*cell_size*/, double /*reference_size*/) {
   return law;
 }

@@ -98,6 +98,11 @@ Law after_shaking(const Law& law) {
   return std::visit([](const auto& one) -> Law { return after_shaking(one); }, law);
 }
 
+Law shaken_again(const Law& law) {
+  using defaults::shaken_again;
+  return std::visit([](const auto& one) -> Law { return shaken_again(one); }, law);
+}
+
 Law for_cell_size(const Law& law, double cell_size, double reference_size) {
   using defaults::for_cell_size;
   return std::visit([&](const auto& one) -> Law { return for_cell_size(one, cell_size, reference_size); },

@@ -85,6 +85,8 @@ std::optional<Law> with_reduced_strength(const Law& law, double factor);
 /// The law of the same soil once shaking is over and it reconsolidates; itself for laws that know no such
 /// condition.
 Law after_shaking(const Law& law);
+/// The law of such soil when it is shaken again, as it was before after_shaking().
+Law shaken_again(const Law& law);
 
 /// The law in cells of another size than it was calibrated with; itself if it does not soften.
 /// @param cell_size, reference_size  m

@@ -156,10 +156,10 @@ struct StageEnd {
 /// The end of a stage; without a name, of the last one. Of those before the shaking only the last one leaves
 /// a state to go on from.
 StageEnd end_of(const scene::Case& scene, const std::string& stage) {
-  if (stage == scene.shaking.name)
-    return {stage, scene.shaking.duration};
-  const bool is_last = stage.empty() || (scene.rest && stage == scene.rest->name);
-  return {stage, is_last ? scene.end() : 0.0};
+  const auto timed = std::ranges::find(scene.timed, stage, &scene::TimedStage::name);
+  if (timed != scene.timed.end())
+    return {stage, scene.clock().simulated_time(timed->end())};
+  return {stage, stage.empty() ? scene.end() : 0.0};
 }
 
 /// What rank 0 does beside its share of the domain: it talks with the coupler and writes the results.
@@ -182,13 +182,13 @@ public:
     output_.after_step(stepper);
     if (saves_)
       save(stepper);
-    const std::optional<materials::RestClock>& rest = domain_.spec.rest;
-    const bool rests = rest && rest->has_begun(stepper.time());
-    if (rests && !rest->has_begun(stepper.time() - stepper.dt()))
-      fmt::print("note: the {} begins at {:.6g} s, after step {}\n", scene_.rest->name, stepper.time(),
-                 stepper.steps());
-    client_.progress(rests ? scene_.rest->name : scene_.shaking.name,
-                     static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end_);
+    const scene::TimedStage& stage = scene::stage_at(scene_, stepper.time_of_soil(stepper.time()));
+    const scene::TimedStage& before =
+        scene::stage_at(scene_, stepper.time_of_soil(stepper.time() - stepper.dt()));
+    if (&stage != &before)
+      fmt::print("note: the {} begins at {:.6g} s, after step {}\n", stage.name,
+                 stepper.time_of_soil(stepper.time()), stepper.steps());
+    client_.progress(stage.name, static_cast<std::uint64_t>(stepper.steps()), stepper.time(), end_);
   }
   /// Makes a checkpoint.
   void save(const Stepper& stepper) {
@@ -239,9 +239,10 @@ private:
 /// Whether a rest that ends at a pressure has come to it. All ranks ask, and hear the same answer.
 bool pressure_is_gone(const Stepper& stepper, const scene::Case& scene) {
   constexpr long steps_between = 100; // looking at all particles costs a tenth of a step
-  return scene.rest && scene.rest->until_ratio && stepper.steps() % steps_between == 0 &&
-         scene.rest_clock()->has_begun(stepper.time()) &&
-         largest_pressure_ratio(stepper.domain()) <= *scene.rest->until_ratio;
+  const scene::TimedStage& last = scene.timed.back();
+  return last.rest && last.rest->until_ratio && stepper.steps() % steps_between == 0 &&
+         stepper.time_of_soil(stepper.time()) >= last.start &&
+         largest_pressure_ratio(stepper.domain()) <= *last.rest->until_ratio;
 }
 
 /// Steps to the end. All ranks take part in all pictures.
@@ -260,7 +261,8 @@ void step_to_end(Stepper& stepper, Snapshot& snapshot, RankZeroDriver* driver, c
   }
   if (driver != nullptr && stepper.time() < stop)
     fmt::print("note: the {} ends at {:.6g} s: no excess pore pressure ratio is above {:g}\n",
-               scene.rest->name, stepper.time_of_soil(stepper.time()), *scene.rest->until_ratio);
+               scene.timed.back().name, stepper.time_of_soil(stepper.time()),
+               *scene.timed.back().rest->until_ratio);
   snapshot.take(driver != nullptr ? driver->output().needs_to_finish(stepper) : Snapshot::Extent::nothing);
 }
 

@@ -142,7 +142,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                               springs->lags,
                               side == Side::base && base.form == scene::BaseForm::incident});
   spec.below_base = scene::ground_below_base(scene);
-  spec.rest = scene.rest_clock();
+  spec.clock = scene.clock();
   spec.threads = threads;
   return spec;
 }

@@ -3,7 +3,7 @@
 #include "materials/law/law.hpp"
 #include "materials/relaxation/relaxation.hpp"
 #include "materials/water/pore_water.hpp"
-#include "materials/water/rest_clock.hpp"
+#include "materials/water/soil_clock.hpp"
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/fields/particle_fields.hpp"
 #include "mpm_domain/spec/numerics.hpp"
@@ -110,9 +110,8 @@ struct Spec {
   std::optional<materials::Elasticity> below_base;
   /// Fields of one's own that particles carry besides those of the table.
   std::vector<ParticleFieldDescription> more_fields = {};
-  /// When it has begun, shaking is over and soil reconsolidates (materials::after_shaking); none: shaking is
-  /// never over.
-  std::optional<materials::RestClock> rest = {};
+  /// While it rests, shaking is over and soil reconsolidates (materials::after_shaking).
+  materials::SoilClock clock = {};
   int threads = 1;
 
   bool periodic() const { return sides == Sides::periodic; }

@@ -10,7 +10,7 @@ namespace {
 
 void choose_step(Domain& domain, Step& step) {
   const double before = step.dt;
-  rest_if_due(domain, step.time);
+  follow_clock(domain, step.time);
   if (!domain.share)
     step.bounds = step_bounds(domain);
   step.dt = next_time_step(domain, step.bounds, step.max_speed, before);
@@ -38,7 +38,7 @@ void sort(Domain& domain, Step& step) {
 
 /// One message has what this step books and what bounds the next one.
 void settle(Domain& domain, Step& step) {
-  rest_if_due(domain, step.time + step.dt); // as it will be when the next step begins
+  follow_clock(domain, step.time + step.dt); // as it will be when the next step begins
   step.bounds = step_bounds(domain);
   step.bounds.push_back(step.fastest);
   step.bookings.settle(step.bounds);

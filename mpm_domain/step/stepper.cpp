@@ -61,13 +61,11 @@ std::vector<PassTime> Stepper::times() const {
 }
 
 double Stepper::time_of_soil(double simulated) const {
-  const std::optional<materials::RestClock>& rest = domain_.spec.rest;
-  return rest ? rest->time_of_soil(simulated) : simulated;
+  return domain_.spec.clock.time_of_soil(simulated);
 }
 
 double Stepper::speed_of_time() const {
-  const std::optional<materials::RestClock>& rest = domain_.spec.rest;
-  return rest ? rest->speed(velocity_time()) : 1.0;
+  return domain_.spec.clock.speed(velocity_time());
 }
 
 void Stepper::find_bounds() {

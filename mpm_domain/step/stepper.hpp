@@ -43,7 +43,7 @@ public:
   double time() const { return step_.time; }
   double velocity_time() const { return step_.time - 0.5 * step_.dt; }
   /// The soil's own time at a time of the simulation, s, and how many times as fast it passes where the
-  /// velocities are (1): both differ in a rest alone (materials/water/rest_clock.hpp).
+  /// velocities are (1): both differ in a rest alone (materials/water/soil_clock.hpp).
   double time_of_soil(double simulated) const;
   double time_of_soil() const { return time_of_soil(velocity_time()); }
   double speed_of_time() const;
@@ -63,7 +63,7 @@ public:
   template <class Reader>
   void restore(const Reader& from) {
     step_.restore(from);
-    rest_if_due(domain_, step_.time);
+    follow_clock(domain_, step_.time);
     find_bounds();
   }
 

@@ -1,98 +1,12 @@
 #include "scene/keys/keys_field.hpp"
 
-#include "motion/record.hpp"
 #include "scene/choices.hpp"
 #include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/keys/stages/keys_motion.hpp"
 
 namespace tremolo::scene {
 
 namespace {
-
-Table motion() {
-  return {
-      .name = "motion",
-      .required = true,
-      .meaning = "The incident plane wave: a `pulse` or the record in a `file`, never both.",
-      .keys = {
-          {.name = "file",
-           .type = Type::text,
-           .meaning =
-               "Record, relative to the case file: PEER format (AT2, VT2, DT2), the text of a network "
-               "(K-NET, SMC, "
-               "COSMOS, CSMIP, GeoNet, ESM, ...), a table of time and values, or HDF5. "
-               "The motion is the band-limited function through the samples: its spectrum is the record's up "
-               "to its Nyquist frequency. Velocities rise with a half cosine over the first 0.1 s; after the "
-               "last sample a half cosine takes the velocity to zero within 1 s.",
-           .otherwise = "`pulse`"},
-          {.name = "quantity",
-           .type = Type::choice,
-           .meaning = "What the file holds; only with `file`.",
-           .otherwise = "as the file says",
-           .choices = all_words<motion::Quantity>()},
-          {.name = "unit",
-           .type = Type::choice,
-           .meaning = "Unit of the file's samples; only with `file`.",
-           .otherwise = "as the file says",
-           .choices = all_words<motion::Unit>()},
-          {.name = "component",
-           .type = Type::text,
-           .meaning = "Which component of a file that holds several: its number from 1, its name or a part "
-                      "of it; only with `file`.",
-           .otherwise = "the only one"},
-          {.name = "column",
-           .type = Type::text,
-           .meaning = "Which column of a table holds the motion: its number from 1, its name or a part of "
-                      "it; only with `file`.",
-           .otherwise = "the second of two"},
-          {.name = "scale",
-           .unit = "1",
-           .meaning = "Factor on the record; only with `file`.",
-           .fallback = "1"},
-          {.name = "kind",
-           .type = Type::choice,
-           .meaning =
-               "Whose motion it is; a `file` needs it. `incident`: of the upgoing wave alone, along its "
-               "polarisation. `outcrop`: of the surface of the bare half-space, horizontal for SV and "
-               "vertical for P; vertically twice the incident wave. `within`: of the top of the half-space "
-               "under the `[[profile]]`, as a downhole sensor records it, or of a shaking table.",
-           .otherwise = "`incident` of a `pulse`",
-           .choices = all_words<motion::MotionKind>()},
-          choice<Wave>("wave", "Type of the incident wave."),
-          {.name = "angle_deg",
-           .unit = "degrees",
-           .meaning = "Angle of incidence from the vertical, travelling to +x, +y.",
-           .otherwise = "required, but of a shaking table",
-           .range = {.low = 0.0, .high = 90.0, .high_open = true}},
-          {.name = "reference",
-           .type = Type::numbers,
-           .unit = "m",
-           .meaning =
-               "Where the incident wave has exactly this motion: of its polarisation SV (cos, -sin), P (sin, "
-               "cos) of the angle for `incident`; `outcrop` and `within` at the top of the half-space.",
-           .otherwise = "required, but of a shaking table",
-           .count = 2,
-           .form = "[x, y]"},
-      }};
-}
-
-Table pulse() {
-  return {.name = "motion.pulse",
-          .meaning = "Ricker velocity pulse V (1 - 2a) exp(-a), a = (pi f (t - t0))^2.",
-          .keys = {
-              choice("shape", {"ricker"}, "Shape of the pulse."),
-              {.name = "frequency",
-               .unit = "Hz",
-               .meaning = "Central frequency f.",
-               .required = true,
-               .range = {.low = 1e-3, .high = 1e3}},
-              {.name = "time",
-               .unit = "s",
-               .meaning = "Time t0 of the peak.",
-               .required = true,
-               .range = {.low = -1e4, .high = 1e4}},
-              {.name = "velocity", .unit = "m/s", .meaning = "Peak velocity V.", .required = true},
-          }};
-}
 
 Key damping_ratio() {
   return {.name = "damping",
@@ -209,24 +123,27 @@ std::vector<Key> layer_keys() {
 }
 
 std::vector<Table> field_keys() {
-  return {
-      motion(),
-      pulse(),
-      {.name = "surface",
-       .meaning = "The free surface of the free field. Required unless the base is a shaking table.",
-       .keys = {{.name = "level", .unit = "m", .meaning = "y of the free surface.", .required = true}}},
-      {.name = "halfspace",
-       .meaning =
-           "The homogeneous half-space below the profile, up to the surface where there is no `[[profile]]`. "
-           "Either `young` and `poisson`, or `vs` and `vp`. Required unless the base is a shaking table.",
-       .keys = with_elastic_keys({half_space_damping()})},
-      {.name = "profile",
-       .kind = Kind::array,
-       .meaning =
-           "Layers of the free field from the surface down; the half-space continues below the last one.",
-       .keys = layer_keys()},
-      damping(),
-  };
+  std::vector<Table> tables = motion_tables();
+  for (
+      const Table& table : std::vector<Table>{
+          {.name = "surface",
+  .meaning = "The free surface of the free field. Required unless the base is a shaking table.",
+  .keys = {{.name = "level", .unit = "m", .meaning = "y of the free surface.", .required = true}}},
+          {.name = "halfspace",
+          .meaning =
+               "The homogeneous half-space below the profile, up to the surface where there is no "
+               "`[[profile]]`. "
+               "Either `young` and `poisson`, or `vs` and `vp`. Required unless the base is a shaking table.",
+          .keys = with_elastic_keys({half_space_damping()})},
+          {.name = "profile",
+          .kind = Kind::array,
+          .meaning =
+               "Layers of the free field from the surface down; the half-space continues below the last one.",
+          .keys = layer_keys()},
+          damping(),
+      })
+    tables.push_back(table);
+  return tables;
 }
 
 } // namespace tremolo::scene

@@ -6,6 +6,7 @@
 #include "scene/keys/soil/keys_elastic.hpp"
 #include "scene/keys/soil/keys_soil.hpp"
 #include "scene/keys/soil/keys_water.hpp"
+#include "scene/keys/stages/keys_motion.hpp"
 #include "scene/keys/stages/keys_stage.hpp"
 
 #include <algorithm>
@@ -198,6 +199,8 @@ std::vector<Table> model_keys() {
       time(),
       stage_table(),
   };
+  for (const Table& table : stage_motion_tables())
+    tables.push_back(table);
   const auto structures = structure_keys();
   const auto mesh = std::ranges::find(tables, "mesh", &Table::name);
   tables.insert(mesh, structures.begin(), structures.end());

@@ -42,11 +42,15 @@ std::string cost_text(const Effect& effect) {
 std::string motion_text(const Case& scene) {
   const auto& motion = scene.motion;
   std::string source;
-  if (const auto* pulse = std::get_if<RickerPulse>(&motion.source))
-    source =
-        fmt::format("Ricker pulse of {} Hz, {} m/s at {} s", pulse->frequency, pulse->velocity, pulse->time);
-  else
-    source = std::get<MotionFile>(motion.source).path.filename().string();
+  for (const ShakingMotion& shaking : motion.shakings) {
+    if (shaking.stage > 0)
+      source += fmt::format(", from {:g} s ", scene.timed[shaking.stage].start);
+    if (const auto* pulse = std::get_if<RickerPulse>(&shaking.source))
+      source += fmt::format("Ricker pulse of {} Hz, {} m/s at {} s", pulse->frequency, pulse->velocity,
+                            pulse->time);
+    else
+      source += std::get<MotionFile>(shaking.source).path.filename().string();
+  }
   if (scene.boundary.has_shaking_table())
     return fmt::format("{}, of a shaking table along {}", source, motion.wave == Wave::sv ? "x" : "y");
   return fmt::format("{}, {} motion of the {} wave at {} degrees, given at ({}, {})", source,
@@ -238,9 +242,14 @@ std::string to_json(const Case& scene, const Plan& plan) {
     for (const auto& [side, field] :
          {std::pair(Side::left, &scene.boundary.left), std::pair(Side::right, &scene.boundary.right)})
       json["free_field"][std::string(name(side))] = layers_json(scene, *field);
-  for (const PlannedStage& stage : stages(scene))
+  for (const PlannedStage& stage : stages(scene)) {
     json["stages"].push_back(
         {{"name", stage.name}, {"kind", stage.kind}, {"changes", stage.changes}, {"lasts", stage.lasts}});
+    if (const auto timed = std::ranges::find(scene.timed, stage.name, &TimedStage::name); timed != scene.timed.end()) {
+      json["stages"].back()["from_s"] = timed->start;
+      json["stages"].back()["to_s"] = timed->end();
+    }
+  }
   json["base"] = plan.base;
   json["notes"] = ordered_json::array();
   for (const Finding& remark : scene.remarks)

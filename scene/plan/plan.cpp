@@ -51,11 +51,15 @@ std::string soils_that_are(const Case& scene, materials::Response response) {
 }
 
 std::string rest_text(const Case& scene) {
-  if (!scene.rest)
+  std::string rests;
+  for (const TimedStage& stage : scene.timed)
+    if (stage.rest)
+      rests += fmt::format("{} {} from {:g} to {:g} s", rests.empty() ? "[[stage]]" : ",", stage.name,
+                           stage.start, stage.end());
+  if (rests.empty())
     return "no [[stage]] of kind rest";
   const std::string soils = soils_with(scene, &materials::Traits::reconsolidates, true);
-  return fmt::format("[[stage]] rest from {:g} to {:g} s: {}", scene.shaking.duration,
-                     scene.end_of_soil_time(),
+  return fmt::format("{}: {}", rests,
                      soils.empty() ? "no soil of the domain changes its law in the rest" : soils);
 }
 
@@ -216,7 +220,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        hysteretic && !liquefies ? 8.0 * state_size(scene) : 0.0, hysteretic ? hysteresis_cost_ns : 0.0},
       {"cyclic mobility", liquefies, liquefies ? liquefying_soils : "no soil is sand that liquefies",
        liquefies ? 8.0 * state_size(scene) : 0.0, liquefies ? mobility_cost_ns : 0.0},
-      {"reconsolidation", scene.rest.has_value(), rest_text(scene)},
+      {"reconsolidation", scene.fastest_rest() != nullptr, rest_text(scene)},
       {"mean dilatation", by_cell,
        by_cell ? "soil that yields sees the mean change of volume of its cell"
                : "no soil yields, or [mesh] dilatation = \"particle\"",

@@ -88,13 +88,16 @@ private:
 
 std::string overridden_text(const Case& scene, const CaseOverride& values) {
   Replacements replacements(scene);
-  const auto* file = std::get_if<MotionFile>(&scene.motion.source);
+  const auto* file = std::get_if<MotionFile>(&scene.motion.shakings.front().source);
   if (values.record && file == nullptr)
     throw std::invalid_argument(
         fmt::format("{}: the motion is a pulse; only the record of a case with [motion] file can be replaced",
                     scene.file.string()));
   if (file != nullptr)
     replacements.put("motion.file", quoted(values.record.value_or(file->path)));
+  for (const auto& [later, path] : scene.motion.records())
+    if (later != file)
+      replacements.put(path + ".file", quoted(later->path));
   if (values.angle_deg)
     replacements.put("motion.angle_deg", fmt::format("{}", *values.angle_deg));
   for (const Side side : {Side::left, Side::right, Side::base}) {

@@ -25,7 +25,13 @@ std::optional<std::size_t> soil_index(const TableReader& table, const std::vecto
 void read_mesh(Document& document, Case& scene);
 /// Time stepping of the domain.
 void read_time(Document& document, Findings& findings, Case& scene);
-/// Stages; before read_free_field.
+/// The incident waves; after read_stages.
+void read_motion(Document& document, Findings& findings, Case& scene);
+/// The pulse or the record of [motion] or [stage.motion], whose kind is not known yet; nothing where there is
+/// none.
+std::optional<MotionSource> read_motion_source(const TableReader& table, const Case& scene,
+                                               Findings& findings);
+/// Stages, with the motions of all shakings but the first; before read_free_field.
 void read_stages(Document& document, Findings& findings, Case& scene);
 /// What stands before each construction and after all; after all else that knows regions and structures.
 void find_standing(Case& scene, Findings& findings);

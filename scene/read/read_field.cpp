@@ -7,54 +7,6 @@ namespace tremolo::scene {
 
 namespace {
 
-RickerPulse read_pulse(Document& document) {
-  const auto table = document.table("motion.pulse");
-  return {table.number("frequency"), table.number("time"), table.number("velocity")};
-}
-
-void read_motion(Document& document, Findings& findings, Case& scene) {
-  const auto table = document.table("motion");
-  using enum motion::MotionKind;
-  if (table.given("kind"))
-    scene.motion.kind = table.choice<motion::MotionKind>("kind");
-  for (const auto& [key, what] : {std::pair("angle_deg", "its angle of incidence from the vertical, degrees"),
-                                  std::pair("reference", "where, [x, y], the incident wave has this motion")})
-    if (!table.given(key) && !scene.boundary.has_shaking_table() && findings.sound("motion"))
-      findings.add(table.path(key), fmt::format("missing '{}': {}", key, what));
-  scene.motion.wave = table.choice<Wave>("wave");
-  scene.motion.angle_deg = table.number("angle_deg");
-  scene.motion.reference = table.point("reference");
-
-  const bool pulse = document.has("motion.pulse");
-  const bool file = table.given("file");
-  if (pulse == file) {
-    if (findings.sound("motion"))
-      findings.add("motion", file ? "'pulse' and 'file' exclude each other: remove one"
-                                  : "missing 'pulse' or 'file': what the incident wave is");
-    return;
-  }
-  if (pulse) {
-    scene.motion.source = read_pulse(document);
-    for (const char* key : {"quantity", "unit", "scale", "component", "column"})
-      if (table.given(key))
-        findings.add(table.path(key), fmt::format("'{}' does not apply to 'pulse', only to 'file'", key));
-    return;
-  }
-  if (!table.given("kind") && findings.sound(table.path()))
-    findings.add(
-        table.path("kind"),
-        "missing 'kind', which a 'file' needs: whose motion the record is, \"outcrop\" of a station on "
-        "rock (twice the incident wave), \"within\" of a sensor at depth, \"incident\" of the upgoing "
-        "wave alone");
-  scene.motion.source = MotionFile{scene.directory / table.text("file"),
-                                   {.quantity = motion::quantity_named(table.text("quantity")),
-                                    .unit = motion::unit_named(table.text("unit")),
-                                    .kind = scene.motion.kind,
-                                    .component = table.text("component"),
-                                    .column = table.text("column")},
-                                   table.number("scale")};
-}
-
 void read_damping(Document& document, Case& scene) {
   const auto table = document.table("damping");
   using enum DampingModel;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +36,7 @@ std::string read_name(const TableReader& table, const std::string& kind, std::ve
 
 /// What static stages after gravity have in common.
 void read_static(StaticStage& stage, const TableReader& table, const std::string& name, const Case& so_far,
-                 bool shaken, Findings& findings) {
+                 Findings& findings) {
   stage.name = name;
   stage.ramp = table.optional_number("ramp_s");
   stage.residual = table.number("residual");
@@ -43,7 +45,7 @@ void read_static(StaticStage& stage, const TableReader& table, const std::string
   stage.path = table.path();
   const std::string kind = table.text("kind");
   const char* const suffix = kind == "water" ? " stage" : "";
-  if (shaken || so_far.rest)
+  if (!so_far.timed.empty())
     findings.add(table.path("kind"), fmt::format("a {}{} must come before the shaking stage", kind, suffix));
   else if (!so_far.gravity)
     findings.add(table.path("kind"),
@@ -70,6 +72,31 @@ LoadStage read_load(const TableReader& table, Findings& findings) {
   return load;
 }
 
+/// [stage.motion] of the stage that has been read last.
+void read_shaking_motion(const TableReader& table, bool first, Case& scene, Findings& findings) {
+  const TimedStage& stage = scene.timed.back();
+  if (first || stage.rest) {
+    findings.add(table.path(), stage.rest
+                                   ? "[stage.motion] does not apply to kind = \"rest\", only to shaking"
+                                   : "[stage.motion] is that of a later shaking; the first one has [motion]");
+    return;
+  }
+  ShakingMotion shaking{.stage = scene.timed.size() - 1,
+                        .start = scene.clock().simulated_time(stage.start),
+                        .path = table.path()};
+  if (auto source = read_motion_source(table, scene, findings))
+    shaking.source = *std::move(source);
+  scene.motion.shakings.push_back(std::move(shaking));
+}
+
+Rest read_rest(const TableReader& table) {
+  return {.time_factor = table.number("time_factor"),
+          .until_ratio = table.optional_number("until_ratio"),
+          .every = table.optional_number("every_s"),
+          .growth = table.number("growth"),
+          .history_every = table.optional_number("history_every_s")};
+}
+
 ConstructionStage read_construction(const TableReader& table, const Case& so_far, Findings& findings) {
   ConstructionStage construction;
   construction.place = table.texts("place");
@@ -88,25 +115,44 @@ ConstructionStage read_change_of_water(const TableReader& table, const Case& so_
   return change;
 }
 
+bool is_shaken(const Case& so_far) {
+  return std::ranges::any_of(so_far.timed, [](const TimedStage& stage) { return !stage.rest; });
+}
+
+/// A shaking or a rest. Its motion begins when all before it is over.
+void read_timed(const TableReader& table, const std::string& name, Case& scene, Findings& findings) {
+  const bool rests = table.text("kind") == "rest";
+  const bool first = !is_shaken(scene);
+  if (rests && first)
+    findings.add(table.path("kind"), "a rest must come after a shaking stage");
+  scene.timed.push_back({.name = name,
+                         .start = scene.end_of_soil_time(),
+                         .duration = table.number("duration_s"),
+                         .rest = rests ? std::optional(read_rest(table)) : std::nullopt,
+                         .path = table.path()});
+  if (const auto motion = table.table("motion"))
+    read_shaking_motion(*motion, first, scene, findings);
+  else if (!rests && !first)
+    findings.add(table.path("motion"),
+                 "missing [stage.motion], a 'file' or a 'pulse': what the ground is shaken with again");
+}
+
 } // namespace
 
 void read_stages(Document& document, Findings& findings, Case& scene) {
-  bool shaken = false;
   bool legible = true;
   std::vector<StageName> names;
   for (const auto& table : document.array("stage")) {
     const auto kind = table.text("kind");
     legible = legible && !kind.empty();
-    const bool again = (kind == "gravity" && scene.gravity) || (kind == "shaking" && shaken) ||
-                       (kind == "rest" && scene.rest);
+    const bool again = kind == "gravity" && scene.gravity;
     const auto name_of_stage = [&] { // a second one of its kind is refused for that alone
       return again ? kind : read_name(table, kind, names, findings);
     };
     if (kind == "gravity") {
-      if (scene.gravity || shaken || scene.rest)
-        findings.add(table.path("kind"), scene.gravity
-                                             ? "a second gravity stage: there can be at most one"
-                                             : "the gravity stage must come before the shaking stage");
+      if (again || !scene.timed.empty())
+        findings.add(table.path("kind"), again ? "a second gravity stage: there can be at most one"
+                                               : "the gravity stage must come before the shaking stage");
       else if (!scene.loads.empty() || !scene.constructions.empty())
         findings.add(table.path("kind"), fmt::format("the gravity stage must come before a {}",
                                                      scene.loads.empty() ? "construction" : "load"));
@@ -115,36 +161,27 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
     }
     if (kind == "load") {
       LoadStage load = read_load(table, findings);
-      read_static(load, table, name_of_stage(), scene, shaken, findings);
+      read_static(load, table, name_of_stage(), scene, findings);
       scene.loads.push_back(std::move(load));
     }
     if (kind == "construction" || kind == "water") {
       ConstructionStage construction = kind == "water" ? read_change_of_water(table, scene, findings)
                                                        : read_construction(table, scene, findings);
-      read_static(construction, table, name_of_stage(), scene, shaken, findings);
+      read_static(construction, table, name_of_stage(), scene, findings);
       scene.constructions.push_back(std::move(construction));
     }
-    if (kind == "shaking") {
-      if (shaken || scene.rest)
-        findings.add(table.path("kind"), shaken ? "a second shaking stage: there must be exactly one"
-                                                : "the shaking stage must come before the rest");
-      scene.shaking = {name_of_stage(), table.number("duration_s")};
-      shaken = true;
-    }
-    if (kind == "rest") {
-      if (scene.rest)
-        findings.add(table.path("kind"), "a second rest: there can be at most one");
-      scene.rest = RestStage{.name = name_of_stage(),
-                             .duration = table.number("duration_s"),
-                             .time_factor = table.number("time_factor"),
-                             .until_ratio = table.optional_number("until_ratio"),
-                             .every = table.optional_number("every_s"),
-                             .growth = table.number("growth"),
-                             .history_every = table.optional_number("history_every_s")};
-    }
+    if (kind == "shaking" || kind == "rest")
+      read_timed(table, name_of_stage(), scene, findings);
   }
-  if (!shaken && legible && findings.sound("stage"))
+  if (legible && findings.sound("stage") && !is_shaken(scene))
     findings.add("stage", "missing [[stage]] of kind = \"shaking\": how long the motion acts");
+  for (std::size_t i = 0; i + 1 < scene.timed.size(); ++i)
+    if (const TimedStage& stage = scene.timed[i]; stage.rest && stage.rest->until_ratio)
+      findings.add(
+          stage.path + ".until_ratio",
+          fmt::format("'until_ratio' ends the last stage only, and '{}' comes after this rest: when it "
+                      "begins must be known beforehand",
+                      scene.timed[i + 1].name));
 }
 
 } // namespace tremolo::scene

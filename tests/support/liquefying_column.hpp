@@ -15,7 +15,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -185,14 +184,28 @@ inline TwoPhaseSettings liquefying_settings(double element_size, double dt) {
           .base = BaseKind::rigid};
 }
 
+/// A rest with a time factor (1) from a time (s) on.
+inline materials::SoilClock rest_from(double time, double factor = 1.0) {
+  return materials::SoilClock({{time}, {1e4, factor}});
+}
+
 /// Our column, elements of 0.5 m as the reference's.
-/// @param rest  after the shaking, which is never over where it is not given
+/// @param clock  of the soil, which without one is shaken to the end
+/// @param again  times at which the base is shaken once more, s
 inline LiquefactionHistory computed(const LiquefyingSand& sand, double element_size = 0.5, double dt = 2e-4,
-                                    std::optional<materials::RestClock> rest = {}) {
+                                    const materials::SoilClock& clock = {},
+                                    const std::vector<double>& again = {}) {
   const Profile profile = liquefying_profile(sand);
   TwoPhaseSettings settings = liquefying_settings(element_size, dt);
-  settings.rest = rest;
-  TwoPhaseColumn column(profile, settings, BaseShaking(sand.shaking));
+  settings.clock = clock;
+  const BaseShaking once(sand.shaking);
+  const auto base = [&](double time) {
+    Velocity velocity = once(time);
+    for (const double start : again)
+      velocity.x += once(time - start).x;
+    return velocity;
+  };
+  TwoPhaseColumn column(profile, settings, base);
   std::vector<double> levels = {0.0};
   for (const double depth : depths)
     levels.push_back(-depth);

@@ -49,11 +49,12 @@ wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<doubl
   for (const scene::Layer& layer : scene::layers(scene, source))
     crossing += layer.thickness / layer.elastic.s_wave_speed();
   const double waves_end = motion.end() + std::max(0.0, delay) + 8.0 * crossing;
-  const double end = duration.value_or(scene.rest ? scene.end_of_soil_time() : waves_end);
+  const double end = duration.value_or(scene.timed.size() > 1 ? scene.end_of_soil_time() : waves_end);
   if (!(end > start && std::isfinite(end)))
     throw std::runtime_error(fmt::format("--duration: {} s, must be finite and > {:.4g} s", end, start));
   const double fine = std::min(0.005, 0.25 / motion.highest_frequency());
-  const double dt = every.value_or(scene.rest ? std::max(fine, (end - start) / (0.5 * most_times)) : fine);
+  const double dt =
+      every.value_or(scene.timed.size() > 1 ? std::max(fine, (end - start) / (0.5 * most_times)) : fine);
   const double steps = std::floor((end - start) / dt + 1e-9);
   if (!(steps >= 1.0 && steps < most_times))
     throw std::runtime_error(fmt::format(

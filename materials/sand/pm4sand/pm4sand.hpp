@@ -112,6 +112,7 @@ Pm4Sand pm4sand(const Pm4SandInput& input);
 
 /// The same soil in its post-shaking, reconsolidating condition.
 Pm4Sand after_shaking(Pm4Sand law);
+Pm4Sand shaken_again(Pm4Sand law);
 
 /// Every parameter: value, unit, meaning, and "given" or the rule it follows from.
 std::vector<ParameterValue> parameters(const Pm4Sand& law);

@@ -142,6 +142,11 @@ Pm4Sand after_shaking(Pm4Sand law) {
   return law;
 }
 
+Pm4Sand shaken_again(Pm4Sand law) {
+  law.post_shake = false;
+  return law;
+}
+
 std::optional<double> relative_density(const Pm4Sand& law) {
   return law.relative_density;
 }

@@ -117,6 +117,31 @@ def measures(run):
     return Table(headings, rows, "Motion measures")
 
 
+def stage_measures(run):
+    """What each shaking and each rest has brought to each monitor; None where there is one such stage."""
+    timed = [stage for stage in run.plan.get("stages", []) if "from_s" in stage]
+    if len(timed) < 2:
+        return None
+    rows = []
+    for name in run.monitors:
+        series = run.monitor(name)
+        time = series["time"]
+        for stage in timed:
+            during = (time >= stage["from_s"]) & (time <= stage["to_s"])
+            if np.count_nonzero(during) < 2:
+                continue
+            acceleration, dt = even_steps(time[during], series["ax"][during])
+            moved = [series[direction][during][-1] - series[direction][during][0] for direction in ("ux", "uy")]
+            values = [np.abs(acceleration).max(), _duration(acceleration, dt)[0], *moved]
+            wet = "pore_pressure_ratio" in series.columns
+            ratio = series["pore_pressure_ratio"][during] if wet else []
+            rows.append([f"{name}, {stage['name']}", *(f"{value:.4g}" for value in values),
+                         *((f"{ratio.max():.3g}", f"{ratio[-1]:.3g}") if wet else ("-", "-"))])
+    headings = ["monitor, stage", "peak horizontal acceleration (m/s²)", "Arias intensity (m/s)", "it moves by ux (m)", "by uy (m)",
+                "largest r_u", "r_u at its end"]
+    return Table(headings, rows, "Stages at the monitors") if rows else None
+
+
 def differences(first, second, titles):
     """Peaks at the monitors of both runs, over the time that both cover, and how far the histories differ."""
     common = [name for name in first.monitors if name in second.monitors and len(first.monitor(name)) > 1 and len(second.monitor(name)) > 1]

@@ -12,8 +12,8 @@ Table stage_table() {
       .kind = Kind::array,
       .required = true,
       .meaning = "The stages in their order: at most one of gravity, then any number of loads, "
-                 "constructions and changes of the water, then one of shaking, then at most one of rest. "
-                 "Without a gravity stage the "
+                 "constructions and changes of the water, then one of shaking, then any number of rests and "
+                 "further shakings. Without a gravity stage the "
                  "model is weightless. See docs/stages.md.",
       .keys = {
           choice(
@@ -115,7 +115,7 @@ Table stage_table() {
            .unit = "1",
            .meaning =
                "Ends the run early, as soon as no particle has an excess pore pressure ratio that is larger "
-               "in magnitude.",
+               "in magnitude; only in the last stage.",
            .otherwise = "it lasts that long",
            .range = {.low = 0.0, .high = 1.0, .low_open = true},
            .when = {"kind", {"rest"}}},

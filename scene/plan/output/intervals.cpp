@@ -10,57 +10,61 @@ namespace tremolo::scene {
 
 namespace {
 
-bool rests_at(const Case& scene, double time) {
-  return scene.rest && time >= scene.shaking.duration;
-}
-
 double intervals_in(double time, double first, double growth) {
   const double equal = time / first;
   return std::floor((growth > 1.0 ? std::log1p((growth - 1.0) * equal) / std::log(growth) : equal) + 1e-9);
 }
 
+double first_frame_interval(const Case& scene, const TimedStage& stage) {
+  return stage.rest ? stage.rest->every.value_or(scene.output.every) : scene.output.every;
+}
+
+double row_interval(const Case& scene, const TimedStage& stage) {
+  return stage.rest ? stage.rest->history_every.value_or(scene.output.history_every)
+                    : scene.output.history_every;
+}
+
 /// The first time after `time` at which something is due. Times that have passed meanwhile are left out, and
-/// a rest begins with one.
+/// each stage begins with one.
 double next(const Case& scene, double due, double every, double time) {
   const double next = due + every * std::max(1.0, std::ceil((time - due) / every));
-  const bool passes_start = scene.rest && time < scene.shaking.duration && next > scene.shaking.duration;
-  return passes_start ? scene.shaking.duration : next;
-}
-
-double first_frame_interval(const Case& scene) {
-  return scene.rest->every.value_or(scene.output.every);
-}
-
-double rest_row_interval(const Case& scene) {
-  return scene.rest->history_every.value_or(scene.output.history_every);
+  for (const TimedStage& stage : scene.timed)
+    if (time < stage.start && next > stage.start)
+      return stage.start;
+  return next;
 }
 
 } // namespace
 
+const TimedStage& stage_at(const Case& scene, double time) {
+  return *std::find_if(scene.timed.begin(), scene.timed.end() - 1,
+                       [&](const TimedStage& stage) { return time < stage.end(); });
+}
+
 double next_frame(const Case& scene, double due, double time) {
-  const double grown = rests_at(scene, due) ? first_frame_interval(scene) +
-                                                  (scene.rest->growth - 1.0) * (due - scene.shaking.duration)
-                                            : scene.output.every;
-  return next(scene, due, grown, time);
+  const TimedStage& stage = stage_at(scene, due);
+  const double first = first_frame_interval(scene, stage);
+  return next(scene, due, stage.rest ? first + (stage.rest->growth - 1.0) * (due - stage.start) : first,
+              time);
 }
 
 double next_row(const Case& scene, double due, double time) {
-  return next(scene, due, rests_at(scene, due) ? rest_row_interval(scene) : scene.output.history_every, time);
+  return next(scene, due, row_interval(scene, stage_at(scene, due)), time);
 }
 
 std::int64_t most_frames(const Case& scene, double dt) {
-  double frames = intervals_in(scene.shaking.duration, std::max(scene.output.every, dt), 1.0) + 1.0;
-  if (scene.rest)
-    frames +=
-        intervals_in(scene.rest->duration, std::max(first_frame_interval(scene), dt), scene.rest->growth) +
-        1.0;
+  double frames = 0.0;
+  for (const TimedStage& stage : scene.timed)
+    frames += intervals_in(stage.duration, std::max(first_frame_interval(scene, stage), dt),
+                           stage.rest ? stage.rest->growth : 1.0) +
+              1.0;
   return std::llround(frames);
 }
 
 std::int64_t most_rows(const Case& scene, double dt) {
-  double rows = intervals_in(scene.shaking.duration, std::max(scene.output.history_every, dt), 1.0) + 3.0;
-  if (scene.rest)
-    rows += intervals_in(scene.rest->duration, std::max(rest_row_interval(scene), dt), 1.0) + 1.0;
+  double rows = 2.0;
+  for (const TimedStage& stage : scene.timed)
+    rows += intervals_in(stage.duration, std::max(row_interval(scene, stage), dt), 1.0) + 1.0;
   return std::llround(rows);
 }
 

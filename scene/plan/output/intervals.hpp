@@ -6,6 +6,9 @@
 
 namespace tremolo::scene {
 
+/// The stage in which a time of the soil (s) lies.
+const TimedStage& stage_at(const Case& scene, double time);
+
 /// When the next frame, or row of the histories, is due after one that was due and has been written, s.
 /// @param due,time  of the soil; when it was due, and when it was written, s
 double next_frame(const Case& scene, double due, double time);

@@ -53,7 +53,8 @@ double FastRest::settlement_error() const {
 }
 
 std::optional<FastRest> fast_rest(const Case& scene) {
-  if (!scene.rest || scene.rest->time_factor == 1.0 || !scene.water || !scene.gravity)
+  const TimedStage* const stage = scene.fastest_rest();
+  if (stage == nullptr || stage->rest->time_factor == 1.0 || !scene.water || !scene.gravity)
     return std::nullopt;
   const double depth = height(extent_below_table(scene, [](const Soil&) { return true; }));
   const double drained = height(extent_below_table(scene, lets_water_flow));
@@ -63,7 +64,7 @@ std::optional<FastRest> fast_rest(const Case& scene) {
     if (!lets_water_flow(soil))
       continue;
     const double m = materials::elasticity(soil.law).p_modulus();
-    const double flow = scene.rest->time_factor * soil.pores->permeability;
+    const double flow = stage->rest->time_factor * soil.pores->permeability;
     FastRest& worst = fast ? *fast : fast.emplace();
     if (flow > worst.permeability) {
       worst.permeability = flow;

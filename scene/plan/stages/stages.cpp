@@ -52,21 +52,23 @@ PlannedStage load(const Case& scene, const LoadStage& stage) {
       relaxation(scene, stage)};
 }
 
-PlannedStage shaking(const Case& scene) {
-  return {scene.shaking.name, "shaking",
-          scene.gravity ? "the motion enters; static tractions hold what the constraints held"
-                        : "the motion enters a model without weight",
-          fmt::format("{:g} s, from 0 s", scene.shaking.duration)};
+PlannedStage shaking(const Case& scene, const TimedStage& stage) {
+  const bool first = stage.start == 0.0;
+  const char* const model = scene.gravity
+                                ? "the motion enters; static tractions hold what the constraints held"
+                                : "the motion enters a model without weight";
+  return {stage.name, "shaking",
+          first ? model : "a motion of its own enters; sand has the stiffness of shaking again",
+          fmt::format("{:g} s, from {:g} s", stage.duration, stage.start)};
 }
 
-PlannedStage rest(const Case& scene) {
-  const RestStage& stage = *scene.rest;
+PlannedStage rest(const TimedStage& stage) {
   std::string changes = "sand reconsolidates";
-  if (stage.time_factor > 1.0)
-    changes += fmt::format(", time passes up to {:g} times as fast", stage.time_factor);
-  std::string lasts = fmt::format("{:g} s, from {:g} s", stage.duration, scene.shaking.duration);
-  if (stage.until_ratio)
-    lasts += fmt::format(", or until no excess pore pressure ratio is above {:g}", *stage.until_ratio);
+  if (stage.rest->time_factor > 1.0)
+    changes += fmt::format(", time passes up to {:g} times as fast", stage.rest->time_factor);
+  std::string lasts = fmt::format("{:g} s, from {:g} s", stage.duration, stage.start);
+  if (stage.rest->until_ratio)
+    lasts += fmt::format(", or until no excess pore pressure ratio is above {:g}", *stage.rest->until_ratio);
   return {stage.name, "rest", changes, lasts};
 }
 
@@ -120,9 +122,8 @@ std::vector<PlannedStage> stages(const Case& scene) {
     all.push_back(std::holds_alternative<const LoadStage*>(stage)
                       ? load(scene, *std::get<const LoadStage*>(stage))
                       : construction(scene, *std::get<const ConstructionStage*>(stage)));
-  all.push_back(shaking(scene));
-  if (scene.rest)
-    all.push_back(rest(scene));
+  for (const TimedStage& stage : scene.timed)
+    all.push_back(stage.rest ? rest(stage) : shaking(scene, stage));
   return all;
 }
 

@@ -21,8 +21,8 @@ double delay_to_model(const Case& scene) {
   return (dx * std::sin(angle) + dy * std::cos(angle)) / speed;
 }
 
-double arrival_of_intensity(const Case& scene, double share) {
-  const SampledMotion samples = sampled(motion(scene.motion));
+double arrival_of_intensity(const Case& scene, const ShakingMotion& shaking, double share) {
+  const SampledMotion samples = sampled(motion(shaking));
   double sum = 0.0;
   std::vector<double> intensity;
   for (const double a : motion::differentiate(samples.velocity, samples.dt))

@@ -85,6 +85,32 @@ private:
   motion::Refined samples_;
 };
 
+class Motion::Later final : public Motion::Shape {
+public:
+  Later(Motion motion, double time) : motion_(std::move(motion)), time_(time) {}
+
+  double velocity(double t) const override { return motion_.velocity(t - time_); }
+
+private:
+  Motion motion_;
+  double time_;
+};
+
+class Motion::Sum final : public Motion::Shape {
+public:
+  explicit Sum(std::vector<Motion> motions) : motions_(std::move(motions)) {}
+
+  double velocity(double t) const override {
+    double sum = 0.0;
+    for (const Motion& motion : motions_)
+      sum += motion.velocity(t);
+    return sum;
+  }
+
+private:
+  std::vector<Motion> motions_;
+};
+
 Motion::Motion(std::shared_ptr<const Shape> shape, double begin, double end, double highest_frequency)
     : shape_(std::move(shape)), begin_(begin), end_(end), highest_frequency_(highest_frequency) {}
 
@@ -134,6 +160,19 @@ Motion Motion::of_acceleration(std::span<const double> acceleration, double dt) 
   return through(-static_cast<double>(lead) * dt, velocity, dt);
 }
 
+Motion Motion::after(double time) const {
+  return {std::make_shared<Later>(*this, time), begin_ + time, end_ + time, highest_frequency_};
+}
+
+Motion Motion::sum(std::vector<Motion> motions) {
+  if (motions.size() == 1)
+    return motions.front();
+  const double begin = std::ranges::min(motions, {}, &Motion::begin).begin();
+  const double end = std::ranges::max(motions, {}, &Motion::end).end();
+  const double highest = std::ranges::max(motions, {}, &Motion::highest_frequency).highest_frequency();
+  return {std::make_shared<Sum>(std::move(motions)), begin, end, highest};
+}
+
 SampledMotion sampled(const Motion& motion) {
   constexpr double samples_per_period = 8.0;
   SampledMotion samples{motion.begin(), 1.0 / (samples_per_period * motion.highest_frequency()), {}};
@@ -144,10 +183,12 @@ SampledMotion sampled(const Motion& motion) {
   return samples;
 }
 
-Motion motion(const MotionInput& input) {
-  if (const auto* pulse = std::get_if<RickerPulse>(&input.source))
+namespace {
+
+Motion from_its_own_start(const MotionSource& source) {
+  if (const auto* pulse = std::get_if<RickerPulse>(&source))
     return Motion::ricker(*pulse);
-  const auto& file = std::get<MotionFile>(input.source);
+  const auto& file = std::get<MotionFile>(source);
   motion::Record record = motion::read_record(file.path, file.as);
   const bool accelerations = record.quantity() == motion::Quantity::acceleration;
   record = motion::with_unit(record, accelerations ? motion::Unit::m_s2 : motion::Unit::m_s);
@@ -155,6 +196,20 @@ Motion motion(const MotionInput& input) {
     sample *= file.scale;
   return accelerations ? Motion::of_acceleration(record.samples, record.dt)
                        : Motion::of_velocity(record.samples, record.dt);
+}
+
+} // namespace
+
+Motion motion(const ShakingMotion& shaking) {
+  const Motion own = from_its_own_start(shaking.source);
+  return shaking.start > 0.0 ? own.after(shaking.start) : own;
+}
+
+Motion motion(const MotionInput& input) {
+  std::vector<Motion> motions;
+  for (const ShakingMotion& shaking : input.shakings)
+    motions.push_back(motion(shaking));
+  return Motion::sum(std::move(motions));
 }
 
 } // namespace tremolo::scene

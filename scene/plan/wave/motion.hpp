@@ -10,6 +10,8 @@
 // s. After the last sample a half cosine takes the velocity to 0 within 1 s. A band-limited function that is
 // not zero at its first sample is not zero just before it either: there a half cosine takes the velocity to 0
 // within 16 steps.
+//
+// Several shakings: v(t) = sum of v_i(t - t_i), each motion from the start t_i of its stage on.
 
 #include "scene/case.hpp"
 
@@ -30,6 +32,10 @@ public:
   static Motion of_velocity(std::span<const double> velocity, double dt);
   static Motion of_acceleration(std::span<const double> acceleration, double dt);
 
+  /// A motion that begins later, by a time in s, and the sum of at least one.
+  Motion after(double time) const;
+  static Motion sum(std::vector<Motion> motions);
+
   /// m/s at time t (s); zero outside [begin(), end()].
   double velocity(double t) const;
 
@@ -45,6 +51,8 @@ private:
   class Shape;
   class Ricker;
   class Samples;
+  class Later;
+  class Sum;
   /// The band-limited function through velocities from `start` on.
   static Motion through(double start, std::span<const double> velocity, double dt);
   Motion(std::shared_ptr<const Shape> shape, double begin, double end, double highest_frequency);
@@ -66,8 +74,9 @@ struct SampledMotion {
 
 SampledMotion sampled(const Motion& motion);
 
-/// The motion of a case; reads the record if there is one.
+/// The motion of one shaking, and that of all; reads the records.
 /// @throws motion::RecordError (motion/record.hpp) for a record that cannot be read
+Motion motion(const ShakingMotion& shaking);
 Motion motion(const MotionInput& input);
 
 } // namespace tremolo::scene

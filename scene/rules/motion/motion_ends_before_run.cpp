@@ -14,7 +14,8 @@ constexpr double negligible_energy = 0.01;
 } // namespace
 
 void motion_ends_before_run(const Case& scene, Findings& findings) {
-  const Motion wave = motion(scene.motion);
+  const Motion wave =
+      motion(scene.motion.shakings.back()); // that of each other one goes on in the next stages
   const double delay = delay_to_model(scene);
   if (!(wave.end() + delay > scene.end()))
     return;
@@ -28,7 +29,7 @@ void motion_ends_before_run(const Case& scene, Findings& findings) {
       late += energy;
   }
   if (late > negligible_energy * all)
-    findings.add("motion",
+    findings.add(scene.motion.shakings.back().path,
                  fmt::format("{:.3g} % of the incident wave's energy reaches the model after the run's "
                              "end at {} s; the wave ends at {:.4g} s",
                              100.0 * late / all, scene.end(), wave.end() + delay));

@@ -7,12 +7,10 @@
 namespace tremolo::scene {
 
 void record_ends_at_rest(const Case& scene, Findings& findings) {
-  const auto* file = std::get_if<MotionFile>(&scene.motion.source);
-  if (file == nullptr)
-    return;
-  if (const auto residual =
-          motion::residual_warning(motion::measures(motion::read_record(file->path, file->as))))
-    findings.add("motion.file", fmt::format("{}: {}", file->path.filename().string(), *residual));
+  for (const auto& [file, path] : scene.motion.records())
+    if (const auto residual =
+            motion::residual_warning(motion::measures(motion::read_record(file->path, file->as))))
+      findings.add(path + ".file", fmt::format("{}: {}", file->path.filename().string(), *residual));
 }
 
 } // namespace tremolo::scene

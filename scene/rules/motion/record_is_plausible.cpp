@@ -7,14 +7,13 @@
 namespace tremolo::scene {
 
 void record_is_plausible(const Case& scene, Findings& findings) {
-  const auto* file = std::get_if<MotionFile>(&scene.motion.source);
-  if (file == nullptr)
-    return;
-  motion::Record record = motion::read_record(file->path, file->as);
-  for (double& sample : record.samples)
-    sample *= file->scale;
-  for (const std::string& doubt : motion::doubts(record))
-    findings.add("motion.file", fmt::format("{}: {}", file->path.filename().string(), doubt));
+  for (const auto& [file, path] : scene.motion.records()) {
+    motion::Record record = motion::read_record(file->path, file->as);
+    for (double& sample : record.samples)
+      sample *= file->scale;
+    for (const std::string& doubt : motion::doubts(record))
+      findings.add(path + ".file", fmt::format("{}: {}", file->path.filename().string(), doubt));
+  }
 }
 
 } // namespace tremolo::scene

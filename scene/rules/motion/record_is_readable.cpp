@@ -4,13 +4,14 @@
 namespace tremolo::scene {
 
 void record_is_readable(const Case& scene, Findings& findings) {
-  const auto* input = std::get_if<MotionFile>(&scene.motion.source);
-  if (input == nullptr || !findings.sound("motion.file"))
-    return;
-  try {
-    motion::read_record(input->path, input->as);
-  } catch (const motion::RecordError& error) {
-    findings.add("motion.file", error.what());
+  for (const auto& [file, path] : scene.motion.records()) {
+    if (!findings.sound(path + ".file"))
+      continue;
+    try {
+      motion::read_record(file->path, file->as);
+    } catch (const motion::RecordError& error) {
+      findings.add(path + ".file", error.what());
+    }
   }
 }
 

@@ -29,32 +29,43 @@ std::string reconsolidating_soils(const Case& scene) {
   return names;
 }
 
-} // namespace
-
-void shaken_sand_rests(const Case& scene, Findings& findings) {
-  const std::string sand = reconsolidating_soils(scene);
-  if (sand.empty())
-    return;
-  const double end = arrival_of_intensity(scene, strong_motion_over);
-  const double shaken = scene.shaking.duration;
-  if (shaken > end + delay_allowed)
+/// Looks whether the stage after a shaking begins when strong motion ends.
+void end_suits_motion(const Case& scene, const ShakingMotion& shaking, const std::string& sand,
+                      Findings& findings) {
+  const TimedStage& stage = scene.timed[shaking.stage];
+  const bool then_rests = shaking.stage + 1 < scene.timed.size() && scene.timed[shaking.stage + 1].rest;
+  const auto arrival = [&](double share) { // in the soil's time
+    return arrival_of_intensity(scene, shaking, share) - shaking.start + stage.start;
+  };
+  const double end = arrival(strong_motion_over);
+  if (stage.end() > end + delay_allowed)
     findings.add(
         "stage",
-        fmt::format("{:.0f} % of the motion's Arias intensity has arrived at {:.3g} s, and the shaking stage "
+        fmt::format("{:.0f} % of the motion's Arias intensity has arrived at {:.3g} s, and the {} stage "
                     "lasts until {:g} s: meanwhile soil {} drains as if it had not been shaken, which gives "
                     "too little settlement and too short a time under pressure. {} (docs/stages.md)",
-                    100.0 * strong_motion_over, end, shaken, sand,
-                    scene.rest
+                    100.0 * strong_motion_over, end, stage.name, stage.end(), sand,
+                    then_rests
                         ? fmt::format("Let the rest begin at about {:.0f} s", std::ceil(end))
                         : fmt::format("End the shaking at about {:.0f} s, and add a [[stage]] of kind = "
                                       "\"rest\" for what follows",
                                       std::ceil(end))));
-  else if (scene.rest && shaken < arrival_of_intensity(scene, goes_on))
+  else if (then_rests && stage.end() < arrival(goes_on))
     findings.add("stage",
                  fmt::format("the rest begins at {:g} s, before {:.0f} % of the motion's Arias intensity has "
                              "arrived, at {:.3g} s: soil {} is still shaken when it takes on the stiffness "
                              "of sand that reconsolidates; a longer shaking stage avoids it",
-                             shaken, 100.0 * goes_on, arrival_of_intensity(scene, goes_on), sand));
+                             stage.end(), 100.0 * goes_on, arrival(goes_on), sand));
+}
+
+} // namespace
+
+void shaken_sand_rests(const Case& scene, Findings& findings) {
+  const std::string sand = reconsolidating_soils(scene);
+  if (sand.empty() || scene.timed.empty())
+    return;
+  for (const ShakingMotion& shaking : scene.motion.shakings)
+    end_suits_motion(scene, shaking, sand, findings);
 }
 
 } // namespace tremolo::scene

@@ -6,17 +6,18 @@
 namespace tremolo::scene {
 
 void unit_is_that_of_header(const Case& scene, Findings& findings) {
-  const auto* file = std::get_if<MotionFile>(&scene.motion.source);
-  if (file == nullptr || !file->as.unit)
-    return;
-  const motion::Record record = motion::read_record(file->path, file->as);
-  if (record.overruled_unit)
-    findings.add(
-        "motion.unit",
-        fmt::format("'unit' = \"{}\", but {} says \"{}\": the motion is taken {:.4g} times as strong as "
-                    "its file says",
-                    name(record.unit), file->path.filename().string(), name(*record.overruled_unit),
-                    in_si(record.unit) / in_si(*record.overruled_unit)));
+  for (const auto& [file, path] : scene.motion.records()) {
+    if (!file->as.unit)
+      continue;
+    const motion::Record record = motion::read_record(file->path, file->as);
+    if (record.overruled_unit)
+      findings.add(
+          path + ".unit",
+          fmt::format("'unit' = \"{}\", but {} says \"{}\": the motion is taken {:.4g} times as strong as "
+                      "its file says",
+                      name(record.unit), file->path.filename().string(), name(*record.overruled_unit),
+                      in_si(record.unit) / in_si(*record.overruled_unit)));
+  }
 }
 
 } // namespace tremolo::scene

@@ -14,34 +14,50 @@ namespace {
 /// Of the peak: what is missing below it changes no result.
 constexpr double negligible_velocity = 1e-3;
 
+/// What arrives before the start of its stage, s and 1.
+struct Early {
+  double by = 0.0;    ///< how long before, of all that is not negligible, s
+  double share = 0.0; ///< its largest velocity over that of the motion, 1
+};
+
+Early early_part(const ShakingMotion& shaking, double delay) {
+  const SampledMotion samples = sampled(motion(shaking));
+  double peak = 0.0;
+  for (const double v : samples.velocity)
+    peak = std::max(peak, std::abs(v));
+  Early early;
+  for (std::size_t i = 0; i < samples.velocity.size(); ++i) {
+    const double time = samples.time(i) + delay - shaking.start;
+    if (time >= 0.0)
+      break;
+    const double share = std::abs(samples.velocity[i]) / peak;
+    early.share = std::max(early.share, share);
+    if (early.by == 0.0 && share > negligible_velocity)
+      early.by = -time;
+  }
+  return early;
+}
+
 } // namespace
 
 void wave_arrives_after_start(const Case& scene, Findings& findings) {
-  const Motion wave = motion(scene.motion);
   const double delay = delay_to_model(scene);
-  if (!(wave.begin() + delay < 0.0))
-    return;
-  const SampledMotion samples = sampled(wave);
-  double peak = 0.0;
-  double missing = 0.0;
-  double first = 0.0; // when more than a negligible part arrives
-  for (const double v : samples.velocity)
-    peak = std::max(peak, std::abs(v));
-  for (std::size_t i = 0; i < samples.velocity.size(); ++i) {
-    const double time = samples.time(i) + delay;
-    if (time >= 0.0)
-      break;
-    const double v = std::abs(samples.velocity[i]);
-    missing = std::max(missing, v);
-    if (first == 0.0 && v > negligible_velocity * peak)
-      first = time;
+  for (const ShakingMotion& shaking : scene.motion.shakings) {
+    if (!(motion(shaking).begin() + delay < shaking.start))
+      continue;
+    const Early early = early_part(shaking, delay);
+    if (!(early.share > negligible_velocity))
+      continue;
+    findings.add(
+        shaking.path,
+        fmt::format("the wave reaches the model {:.3g} s before {}, up to {:.2g} % of the peak velocity, "
+                    "{}; a later pulse or a deeper [motion] reference avoids it",
+                    early.by,
+                    shaking.stage == 0 ? "the shaking starts and finds it at rest: what came earlier"
+                                       : "its stage begins: what comes earlier",
+                    100.0 * early.share,
+                    shaking.stage == 0 ? "is missing" : "shakes the ground in the stage before"));
   }
-  if (missing > negligible_velocity * peak)
-    findings.add("motion",
-                 fmt::format("the wave reaches the model {:.3g} s before the shaking starts and finds it "
-                             "at rest: what came earlier, up to {:.2g} % of the peak velocity, is "
-                             "missing; a later pulse or a deeper [motion] reference avoids it",
-                             -first, 100.0 * missing / peak));
 }
 
 } // namespace tremolo::scene

@@ -17,10 +17,10 @@ namespace tremolo::scene {
 namespace {
 
 /// The pulse's central frequency, or one over the record's mean period, Hz.
-double typical_frequency(const Case& scene) {
-  if (const auto* pulse = std::get_if<RickerPulse>(&scene.motion.source))
+double typical_frequency(const MotionSource& source) {
+  if (const auto* pulse = std::get_if<RickerPulse>(&source))
     return pulse->frequency;
-  const auto& file = std::get<MotionFile>(scene.motion.source);
+  const auto& file = std::get<MotionFile>(source);
   const double period = motion::measures(motion::read_record(file.path, file.as)).mean_period;
   return period > 0.0 ? 1.0 / period : 1.0;
 }
@@ -73,7 +73,9 @@ void ratios_agree(const Case& scene, Findings& findings) {
                damped_times(scene, right, mesh.box.x_max - 0.5 * mesh.size),
                [](const auto& a, const auto& b) { return a.difference < b.difference; });
   constexpr double negligible = 1e-3;
-  const double frequency = typical_frequency(scene);
+  double frequency = 0.0; // of what is damped most
+  for (const ShakingMotion& shaking : scene.motion.shakings)
+    frequency = std::max(frequency, typical_frequency(shaking.source));
   const auto loss = [frequency](double time) {
     return 1.0 - std::exp(-2.0 * std::numbers::pi * frequency * time);
   };

@@ -7,7 +7,7 @@
 namespace tremolo::scene {
 
 void resting_sand_is_shaken_first(const Case& scene, Findings& findings) {
-  if (!scene.rest)
+  if (scene.fastest_rest() == nullptr)
     return;
   for (const Soil& soil : scene.soils) {
     const auto parameters = materials::parameters(soil.law);

@@ -13,14 +13,20 @@ namespace tremolo::scene {
 namespace {
 
 void look_for_motion(const Case& scene, Findings& findings) {
-  const double end = arrival_of_intensity(scene, strong_motion_over);
-  if (scene.shaking.duration < end)
-    findings.add(
-        "stage",
-        fmt::format("the rest begins at {:g} s, and 99 % of the motion's Arias intensity has arrived at "
-                    "{:.3g} s only: what is left of the motion acts on ground in which water flows {:g} "
-                    "times as easily, and stands in the results {:g} times as long",
-                    scene.shaking.duration, end, scene.rest->time_factor, scene.rest->time_factor));
+  for (const ShakingMotion& shaking : scene.motion.shakings) {
+    const TimedStage& stage = scene.timed[shaking.stage];
+    if (shaking.stage + 1 == scene.timed.size())
+      return;
+    const auto& [name, begins, duration, rest, path] = scene.timed[shaking.stage + 1];
+    const double end = arrival_of_intensity(scene, shaking, strong_motion_over) - shaking.start + stage.start;
+    if (rest && rest->time_factor > 1.0 && begins < end)
+      findings.add(
+          "stage",
+          fmt::format("the {} begins at {:g} s, and 99 % of the motion's Arias intensity has arrived at "
+                      "{:.3g} s only: what is left of the motion acts on ground in which water flows {:g} "
+                      "times as easily, and stands in the results {:g} times as long",
+                      name, begins, end, rest->time_factor, rest->time_factor));
+  }
 }
 
 /// A recording and a program of one's own are not sped up.
@@ -32,7 +38,7 @@ void look_for_other_fields(const Case& scene, Findings& findings) {
     if (!traits(model).computed && model != SourceModel::shaking_table)
       findings.add(key, fmt::format("the free field must have the same rest, at {:g} s, with the same "
                                     "'time_factor' = {:g}, which cannot be checked here",
-                                    scene.shaking.duration, scene.rest->time_factor));
+                                    scene.fastest_rest()->start, scene.fastest_rest()->rest->time_factor));
 }
 
 } // namespace
@@ -44,14 +50,14 @@ void time_factor_errs_little(const Case& scene, Findings& findings) {
     return;
   look_for_motion(scene, findings);
   look_for_other_fields(scene, findings);
+  const double factor = scene.fastest_rest()->rest->time_factor;
   if (fast->settlement_error() > small_error)
-    findings.add(
-        "stage",
-        fmt::format("the rest's 'time_factor' = {:g} makes inertia count: the settlement that the "
-                    "rest adds will be off by about {:.2g} %; {:.3g} would keep it below {:g} %",
-                    scene.rest->time_factor, 100.0 * fast->settlement_error(),
-                    scene.rest->time_factor * std::pow(small_error / 0.8, 1.0 / 1.5) / fast->slow_wave,
-                    100.0 * small_error));
+    findings.add("stage",
+                 fmt::format("the rest's 'time_factor' = {:g} makes inertia count: the settlement that the "
+                             "rest adds will be off by about {:.2g} %; {:.3g} would keep it below {:g} %",
+                             factor, 100.0 * fast->settlement_error(),
+                             factor * std::pow(small_error / 0.8, 1.0 / 1.5) / fast->slow_wave,
+                             100.0 * small_error));
 }
 
 } // namespace tremolo::scene

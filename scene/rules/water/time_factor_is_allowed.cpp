@@ -17,11 +17,13 @@ constexpr double periods_to_rise = 20.0;
 } // namespace
 
 void time_factor_is_allowed(const Case& scene, Findings& findings) {
-  if (!scene.rest || !(scene.rest->time_factor > 1.0) || !findings.sound("stage") ||
+  const TimedStage* const stage = scene.fastest_rest();
+  if (stage == nullptr || !(stage->rest->time_factor > 1.0) || !findings.sound("stage") ||
       !findings.sound("water") || !findings.sound("soil") || !findings.sound("mesh"))
     return;
+  const double factor = stage->rest->time_factor;
   const auto refuse = [&](const std::string& why) {
-    findings.add("stage", fmt::format("the rest's 'time_factor' = {:g} {}", scene.rest->time_factor, why));
+    findings.add("stage", fmt::format("the rest's 'time_factor' = {:g} {}", factor, why));
   };
   if (scene.damping.model == DampingModel::rayleigh)
     refuse(
@@ -33,7 +35,7 @@ void time_factor_is_allowed(const Case& scene, Findings& findings) {
     return;
   }
   const auto at_most = [&](double share) {
-    const double allowed = scene.rest->time_factor * share;
+    const double allowed = factor * share;
     return allowed > 1.0 ? fmt::format("at most {:.3g}", allowed) : "none, that is 1";
   };
   if (fast->slow_wave > largest_slow_wave)
@@ -47,11 +49,11 @@ void time_factor_is_allowed(const Case& scene, Findings& findings) {
         "does not follow Darcy's law at once; allowed: {}",
         fast->most_permeable, fast->permeability, largest_permeability,
         at_most(largest_permeability / fast->permeability)));
-  if (periods_to_rise * fast->ringing > materials::RestClock::rise)
+  if (periods_to_rise * fast->ringing > materials::SoilClock::rise)
     refuse(
         fmt::format("rises within {:g} s, in which the pressure of this ground, with a period of {:.3g} s, "
                     "would ring; allowed: periods up to {:g} s",
-                    materials::RestClock::rise, fast->ringing, materials::RestClock::rise / periods_to_rise));
+                    materials::SoilClock::rise, fast->ringing, materials::SoilClock::rise / periods_to_rise));
 }
 
 } // namespace tremolo::scene

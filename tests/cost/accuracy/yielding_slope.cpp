@@ -108,7 +108,7 @@ public:
         if (face.side == side)
           levels.push_back(face.position.y);
       lines_.emplace(side, Line(wavefield::elastic_field(scene, {}, surface), levels, part,
-                                domain.spec.box.x_max, scene.shaking.duration));
+                                domain.spec.box.x_max, scene.end()));
     };
     line(Side::left, scene.boundary.left.surface, wavefield::Part::total);
     line(Side::right, scene.boundary.right.surface, wavefield::Part::total);
@@ -197,7 +197,7 @@ void run(const std::filesystem::path& file, mpm_domain::Dispersion dispersion, d
       domain, 0.0, [&](long, double t, auto, std::span<eq6::FreeField> field) { fields.take(t, field); });
   std::array<std::optional<double>, strains.size()> fails;
   std::optional<double> area;
-  const double last = end.value_or(scene.shaking.duration);
+  const double last = end.value_or(scene.end());
   for (double look = 0.1; stepper.time() < last; look += 0.1) {
     while (stepper.time() < std::min(look, last))
       stepper.step();

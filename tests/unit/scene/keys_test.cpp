@@ -29,7 +29,7 @@ using ::testing::ThrowsMessage;
 TEST(Keys, GoodCaseHasItsValuesAndDefaults) {
   const auto scene = parse_case(std::string(flat_case));
   EXPECT_EQ(scene.title, "flat");
-  EXPECT_EQ(std::get<RickerPulse>(scene.motion.source).frequency, 3.0);
+  EXPECT_EQ(std::get<RickerPulse>(scene.motion.shakings.at(0).source).frequency, 3.0);
   EXPECT_EQ(scene.motion.reference.y, -10.0);
   EXPECT_EQ(materials::elasticity(scene.soils.at(0).law).young, 40e6);
   EXPECT_EQ(scene.mesh.particles_per_cell, 2);
@@ -37,7 +37,7 @@ TEST(Keys, GoodCaseHasItsValuesAndDefaults) {
   EXPECT_EQ(scene.time.transfer, Transfer::apic);
   EXPECT_EQ(scene.boundary.base.form, BaseForm::total);
   EXPECT_FALSE(scene.gravity.has_value());
-  EXPECT_EQ(scene.shaking.duration, 2.0);
+  EXPECT_EQ(scene.timed.at(0).duration, 2.0);
   EXPECT_EQ(scene.coupling.mode, ExchangeMode::window);
   EXPECT_EQ(scene.coupling.connect_deadline, 30.0);
   EXPECT_EQ(scene.output.fields.size(), 5U);

@@ -145,7 +145,8 @@ TEST(Override, TextMeansTheSameInAnotherFolder) {
   const auto moved =
       parse(overridden_text(scene, {.record = {}, .angle_deg = 0.0, .model = {}}), "case.toml", "/nowhere");
   EXPECT_EQ(moved.motion.angle_deg, 0.0);
-  EXPECT_EQ(std::get<MotionFile>(moved.motion.source).path, source_dir() + "/cases/slope_oblique/motion.AT2");
+  EXPECT_EQ(std::get<MotionFile>(moved.motion.shakings.front().source).path,
+            source_dir() + "/cases/slope_oblique/motion.AT2");
   EXPECT_EQ(moved.regions.size(), scene.regions.size());
 }
 
@@ -157,7 +158,7 @@ TEST(Override, RecordIsReplacedInInlineTablesAndBehindUmlauts) {
       "f\u00fcr\n");
   auto scene = parse_case(std::string(flat_case));
   scene.text = text; // the record itself is not needed for the text
-  scene.motion.source = MotionFile{"b\u00f6schung.AT2", {}, 1.0};
+  scene.motion.shakings.front().source = MotionFile{"b\u00f6schung.AT2", {}, 1.0};
   EXPECT_THAT(overridden_text(scene, {.record = "/a \"b\".AT2", .angle_deg = 5.0, .model = {}}),
               HasSubstr("motion = { wave = \"SV\", angle_deg = 5, reference = [0.0, -10.0], file = \"/a "
                         "\\\"b\\\".AT2\" } # "

@@ -25,10 +25,10 @@ class RestOfSand : public ::testing::TestWithParam<Rest> {};
 /// driver's column settled by 15.7 mm without a rest; over what it settles without one, what a rest adds does
 /// not depend on how the shaking was damped.
 TEST_P(RestOfSand, SettlesByWhenItBegins) {
-  const auto settlement = [](std::optional<materials::RestClock> rest) {
-    return computed(sand_until(99.5), 0.5, 2e-4, rest).settlement_at(99.5);
+  const auto settlement = [](const materials::SoilClock& clock) {
+    return computed(sand_until(99.5), 0.5, 2e-4, clock).settlement_at(99.5);
   };
-  const double growth = settlement(materials::RestClock{GetParam().from}) / settlement({});
+  const double growth = settlement(rest_from(GetParam().from)) / settlement({});
   EXPECT_NEAR(growth / (GetParam().settlement / 15.7), 1.0, 0.03);
 }
 
@@ -42,7 +42,7 @@ template <class Column, class Settings>
 void expect_no_kick(const Settings& shaken, double rest_from) {
   const Profile profile = liquefying_profile(sand_until(rest_from));
   Settings rested = shaken;
-  rested.rest = materials::RestClock{rest_from};
+  rested.clock = testing::rest_from(rest_from);
   Column a(profile, shaken, BaseShaking(0.981)), b(profile, rested, BaseShaking(0.981));
   constexpr std::array levels = {-9.0, -5.0, -2.0};
   std::array<ColumnSample, levels.size()> of_a, of_b;
@@ -83,6 +83,40 @@ TEST(RestOfSandBegins, WithoutAKickInTheColumnForAnyAngle) {
                                 15.0);
 }
 
+/// When the first 1-s mean of r_u at a depth is above 0.7 after a time, s after it; infinite where never.
+double time_to_liquefy(const LiquefactionHistory& history, std::size_t depth, double start) {
+  for (double time = start + 0.5; time < start + 15.0; time += 0.5)
+    if (history.mean(depth, time - 0.5, time + 0.5) > 0.7)
+      return time - start;
+  return std::numeric_limits<double>::infinity();
+}
+
+/// The base shakes again at 40 s, when r_u at 5 m is below 0.01. Sand remembers: it liquefies in half of the
+/// time, which a fresh column would not, and settles by as much again.
+TEST(Aftershock, MeetsSandThatRemembers) {
+  const LiquefactionHistory history = computed(sand_until(60.0), 0.5, 2e-4, {}, {40.0});
+  EXPECT_LT(history.ratio_at(2, 40.0), 0.01);
+  const double main = time_to_liquefy(history, 2, 0.0);
+  EXPECT_NEAR(time_to_liquefy(history, 2, 40.0) / main, 0.5, 0.2);
+  // An earlier driver of the same column found 15.7 mm and 30.2 mm.
+  EXPECT_NEAR(history.settlement_at(59.5) / history.settlement_at(39.5), 30.2 / 15.7, 0.06);
+}
+
+/// Between both shocks the sand rests; with the stiffness of the rest the second one would not reach 0.7 at
+/// 7.5 m, which is unsafe.
+TEST(Aftershock, MeetsSandWithTheStiffnessOfShaking) {
+  const auto largest = [](const materials::SoilClock& clock) {
+    const LiquefactionHistory history = computed(sand_until(56.0), 0.5, 2e-4, clock, {40.0});
+    double ratio = 0.0;
+    for (double time = 41.0; time < 55.0; time += 0.5)
+      ratio = std::max(ratio, history.mean(3, time - 0.5, time + 0.5));
+    return ratio;
+  };
+  const double shaken = largest(materials::SoilClock({{17.0}, {23.0, 1.0}, {20.0}}));
+  EXPECT_GT(shaken, 0.7);
+  EXPECT_LT(largest(rest_from(17.0)), 0.95 * shaken);
+}
+
 /// A rest from 20 s on that ends when 400 s of the soil's time have passed.
 struct FastRest {
   double factor;
@@ -95,7 +129,7 @@ std::vector<std::array<double, 1 + depths.size()>> resting_sand(double factor) {
   const LiquefyingSand sand = pm4sand_column("B2", 0.55, 677.0, 0.40, 1e-4, 400.0);
   const Profile profile = liquefying_profile(sand);
   TwoPhaseSettings settings = liquefying_settings(0.5, 2e-4);
-  settings.rest = materials::RestClock{20.0, factor};
+  settings.clock = rest_from(20.0, factor);
   TwoPhaseColumn column(profile, settings, BaseShaking(0.981));
   const double weight = materials::buoyant_density(*profile.layers[0].pores, {}) * 9.81;
   std::vector<double> levels = {0.0};
@@ -104,7 +138,7 @@ std::vector<std::array<double, 1 + depths.size()>> resting_sand(double factor) {
   std::vector<ColumnSample> samples(levels.size());
   std::vector<std::array<double, 1 + depths.size()>> rows;
   for (double time = 20.0; time <= 400.0; time += 1.0) {
-    while (column.time() < settings.rest->simulated_time(time) - 0.5 * settings.time_step)
+    while (column.time() < settings.clock.simulated_time(time) - 0.5 * settings.time_step)
       column.step();
     column.sample(levels, samples);
     auto& row = rows.emplace_back();

@@ -1,0 +1,28 @@
+#include "scene/case.hpp"
+
+namespace tremolo::scene {
+
+std::vector<GivenRecord> MotionInput::records() const {
+  std::vector<GivenRecord> records;
+  for (const ShakingMotion& shaking : shakings)
+    if (const auto* file = std::get_if<MotionFile>(&shaking.source))
+      records.push_back({file, shaking.path});
+  return records;
+}
+
+materials::SoilClock Case::clock() const {
+  std::vector<materials::SoilClock::Stage> stages;
+  for (const TimedStage& stage : timed)
+    stages.push_back({stage.duration, stage.rest ? std::optional(stage.rest->time_factor) : std::nullopt});
+  return materials::SoilClock(stages);
+}
+
+const TimedStage* Case::fastest_rest() const {
+  const TimedStage* fastest = nullptr;
+  for (const TimedStage& stage : timed)
+    if (stage.rest && (fastest == nullptr || stage.rest->time_factor > fastest->rest->time_factor))
+      fastest = &stage;
+  return fastest;
+}
+
+} // namespace tremolo::scene
