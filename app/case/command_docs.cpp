@@ -7,6 +7,7 @@
 #include "app/output_place.hpp"
 #include "base/text_file.hpp"
 #include "scene/keys/reference.hpp"
+#include "scene/rules/rule.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -35,6 +36,7 @@ void write_reference(const CommandTable& table, const fs::path& folder) {
     write_page(folder / reference.schema, scene::json_schema(reference));
   }
   write_page(folder / "commands.md", command_page(table));
+  write_page(folder / "checks.md", scene::checks_page());
 }
 
 void write_in_new_folder(const fs::path& file, const std::string& text) {

@@ -4,7 +4,7 @@
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/read/read.hpp"
 #include "scene/read/soil/slice_soils.hpp"
-#include "scene/rules/rules.hpp"
+#include "scene/rules/rule.hpp"
 #include "scene/text/text.hpp"
 
 #include <fmt/format.h>
@@ -55,25 +55,11 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
     read_sides(document, *side, findings, scene);
   left.field.model = right.field.model = base.field.model = model;
   slice_soils(root, profiles, findings, scene);
-  if (record == CaseRecord::needed)
-    record_is_readable(scene, findings);
-  for (const auto rule : {models_take_the_wave, damping_suits_models, soils_suit_models,
-                          stress_at_rest_is_carried, reference_lies_in_halfspace, columns_have_cells,
-                          wet_soil_has_pores, resting_sand_is_shaken_first, time_factor_is_allowed})
-    rule(scene, findings);
   // The others know grains and water together, whose stress they take no part of from gravity.
-  if (traits(model).effective_stress) {
-    water_has_weight(scene, findings);
-    sand_has_weight(scene, findings);
-  }
-
-  findings.throw_if_any();
-  findings.grade(Severity::warning);
-  for (const auto rule : {table_lies_in_ground, values_are_in_si_units, water_is_stiffer_than_skeleton,
-                          sand_has_one_void_ratio, particles_take_all_damping, time_factor_errs_little})
-    rule(scene, findings);
-  if (record == CaseRecord::needed)
-    shaken_sand_rests(scene, findings);
+  judge(scene, findings,
+        {.model = false,
+         .effective_stress = traits(model).effective_stress,
+         .record = record == CaseRecord::needed});
   scene.remarks = findings.remarks();
   return scene;
 }
