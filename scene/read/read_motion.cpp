@@ -30,13 +30,14 @@ std::optional<MotionSource> read_motion_source(const TableReader& table, const C
     refuse_keys_of_record(table, findings);
     return RickerPulse{pulse->number("frequency"), pulse->number("time"), pulse->number("velocity")};
   }
-  return MotionFile{scene.directory / table.text("file"),
-                    {.quantity = motion::quantity_named(table.text("quantity")),
-                     .unit = motion::unit_named(table.text("unit")),
-                     .kind = {},
-                     .component = table.text("component"),
-                     .column = table.text("column")},
-                    table.number("scale")};
+  MotionFile record;
+  record.path = scene.directory / table.text("file");
+  record.as.quantity = motion::quantity_named(table.text("quantity"));
+  record.as.unit = motion::unit_named(table.text("unit"));
+  record.as.component = table.text("component");
+  record.as.column = table.text("column");
+  record.scale = table.number("scale");
+  return record;
 }
 
 void read_motion(Document& document, Findings& findings, Case& scene) {

@@ -132,6 +132,16 @@ class Architecture(unittest.TestCase):
                 files = sum(p.suffix in {".cpp", ".hpp"} for p in folder.iterdir())
                 self.assertLessEqual(files, MOST_FILES, folder.relative_to(ROOT))
 
+    def test_every_rule_has_a_test_of_its_name(self):
+        rules = re.findall(r"Needs::\w+,\s*(\w+),", (ROOT / "scene/rules/rule_table.cpp").read_text(encoding="utf-8"))
+        tests = {
+            name
+            for file in (ROOT / "tests" / "unit" / "scene").rglob("*.cpp")
+            for name in re.findall(r"TEST\w*\(\w+,\s*(\w+)\)", file.read_text(encoding="utf-8"))
+        }
+        self.assertGreater(len(rules), 90)
+        self.assertEqual([], [rule for rule in rules if "".join(word.capitalize() for word in rule.split("_")) not in tests])
+
     def test_nobody_but_materials_asks_which_law_it_is(self):
         question = re.compile(r"(holds_alternative|get_if|std::get)<materials::")
         askers = [

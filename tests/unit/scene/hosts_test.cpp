@@ -56,7 +56,7 @@ TEST(Hosts, TwoHostsForOneProcessAreRefused) {
                           "one process 'left-right-base': give it the same host, or none"));
 }
 
-TEST(Hosts, EndpointsAreAddressesOfTcp) {
+TEST(Rules, HostsCanMeet) {
   const std::string left = "left = { start = \"join\" }";
   for (const auto* good : {"tcp://10.0.0.1:5555", "tcp://ib0:*", "tcp://*:1", "tcp://[fd00::1]:65535"})
     EXPECT_THAT(errors_of(hosts(left, good)), IsEmpty()) << good;
@@ -102,7 +102,7 @@ TEST(Hosts, RanksHaveMachinesAndNoEndpoint) {
   EXPECT_THAT(explain(job, plan(job)), HasSubstr("its ranks with --ranks N: on the nodes of the Slurm job"));
 }
 
-TEST(Hosts, MachinesOfRanksThatCannotBeMeantAreRefused) {
+TEST(Rules, RanksCanBePlaced) {
   const auto machines = [](const std::string& list) {
     return ranks_on("start = \"ssh\"\nmachines = " + list);
   };

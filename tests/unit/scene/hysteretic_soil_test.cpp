@@ -43,7 +43,7 @@ TEST(HystereticSoil, HyperbolaIsTheBackboneOfExponentOne) {
   EXPECT_EQ(law.exponent, 1.0);
 }
 
-TEST(HystereticSoil, FitsDarendelisCurvesAndSaysSo) {
+TEST(Rules, BackboneIsFitted) {
   const auto text =
       with_clay("model = \"mkz\"\ncurve = \"darendeli\"\nplasticity_index = 15\nmean_stress = 101325.0\n");
   const auto scene = parse_case(text);
@@ -103,7 +103,7 @@ TEST(HystereticSoil, OfAnyBackboneKnowsTheStrengthThatItIsGiven) {
   EXPECT_FALSE(strength("model = \"hyperbolic\"\nreference_strain = 5e-4\n"));
 }
 
-TEST(HystereticSoil, ComparesTheImpliedWithTheGivenStrength) {
+TEST(Rules, BackboneHasGivenStrength) {
   EXPECT_THAT(
       remarks_of(with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 0.9\n"
                            "shear_strength = 5e3\n")),

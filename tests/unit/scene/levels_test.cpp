@@ -27,7 +27,7 @@ TEST(Refine, IsRead) {
   EXPECT_EQ(scene.mesh.refine[0].box.y_min, -4.0);
 }
 
-TEST(Refine, RefusesWhatMakesNoSenseWithItsPlace) {
+TEST(Rules, RefinementsSuitMesh) {
   const auto errors = [](std::string_view keys) { return errors_of(refined(keys)); };
   EXPECT_THAT(errors("box = [5.0, -4.0, 15.0, 0.0]\nlevel = 0"),
               ElementsAre("case.toml:33:9: [[refine]] 'level' = 0 is out of range, must be in [1, 8]"));
@@ -57,7 +57,7 @@ TEST(Refine, AFixedStepIsThatOfTheFinestCells) {
       ElementsAre(HasSubstr("[time] 'dt' = 0.002 exceeds the critical step 0.65 h/c_p = 0.00187388 s")));
 }
 
-TEST(Subcycle, NeedsLevelsAndWhatItIsMadeFor) {
+TEST(Rules, SubcyclingSuitsCase) {
   const std::string levels = "box = [5.0, -4.0, 15.0, 0.0]\nlevel = 1\n";
   EXPECT_THAT(errors_of(refined(levels + "[time]\nsubcycle = true")), ::testing::IsEmpty());
   EXPECT_FALSE(parse_case(refined(levels)).time.subcycle);
@@ -94,7 +94,7 @@ TEST(Boxes, FollowTheSoilWhereAsked) {
 }
 
 /// Springs tie particles in pairs.
-TEST(Refine, SpringsNeedEqualCellsAtBothSides) {
+TEST(Rules, SpringsTieEqualCells) {
   const auto springs = [](const std::string& box, const std::string& level) {
     return with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n",
                 "sides = \"periodic_springs\"\n", refined("box = " + box + "\nlevel = " + level));

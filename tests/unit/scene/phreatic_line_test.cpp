@@ -93,7 +93,7 @@ TEST(PhreaticLine, ThatIsLevelIsATable) {
   EXPECT_TRUE(parse_case(slope("[water]\nseepage = true\nleft = -4.5\nright = -4.5\n")).water->is_level());
 }
 
-TEST(PhreaticLine, ReachesOverTheModelFromLeftToRight) {
+TEST(Rules, PhreaticLineSpansModel) {
   const auto told = [](const std::string& corners) {
     return errors_of(slope("[water]\nline = " + corners + "\n"));
   };
@@ -120,7 +120,7 @@ TEST(Water, SaysOnceWhereItIs) {
               ElementsAre(HasSubstr("'left' does not apply")));
 }
 
-TEST(Seepage, GoesThroughAllSoilsBetweenLevelsThatGroundKeepsApart) {
+TEST(Rules, SeepageCanBeFound) {
   EXPECT_THAT(errors_of(slope(seepage)), IsEmpty());
   EXPECT_THAT(errors_of(with("permeability = 1e-4\n", "drainage = \"undrained\"\n", slope(seepage))),
               ElementsAre(HasSubstr("missing 'permeability': with [water] seepage = true")));
@@ -148,7 +148,7 @@ TEST(Seepage, GoesWithConstruction) {
   EXPECT_THAT(built(seepage), IsEmpty());
 }
 
-TEST(Water, SuitsTheSides) {
+TEST(Rules, WaterSuitsSides) {
   const auto between = [](const std::string& sides, const std::string& water) {
     std::string text = with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]");
     text = with("model = \"linear_elastic\"\ndensity = 1700.0\n",

@@ -177,19 +177,26 @@ TEST(Sand, Pdmy03WithoutADensityNeedsEverything) {
   EXPECT_EQ(law.cone, materials::Pdmy03Cone::plane_strain);
 }
 
-TEST(Sand, LimitsOfPdmy03AreTold) {
+TEST(Rules, LawsHaveLimits) {
   EXPECT_THAT(remarks_of(with_soil("model = \"pdmy03\"\nrelative_density = 0.57\n")),
               Contains(AllOf(HasSubstr("soil 'sand': "), HasSubstr("plane strain"))));
 }
 
-TEST(Sand, WithoutGravityItHasNoStiffness) {
+TEST(Rules, StiffnessFollowsPressure) {
+  const auto grows = Contains(HasSubstr("soil 'sand': stiffness grows with pressure"));
+  EXPECT_THAT(remarks_of(with_soil(pm4sand)), grows);
+  EXPECT_THAT(remarks_of(with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]")),
+              ::testing::Not(grows));
+}
+
+TEST(Rules, SandHasWeight) {
   const auto text = with_soil(pm4sand);
   EXPECT_THAT(errors_of(with("[[stage]]\nkind = \"gravity\"\n", "", text)),
               ElementsAre(HasSubstr(
                   "case.toml:14:9: [soil.sand] model = \"pm4sand\" begins with the stress that gravity")));
 }
 
-TEST(Sand, ColumnsRefuseWhatTheyCannotBegin) {
+TEST(Rules, SoilsSuitModels) {
   const auto layered = [](const std::string& soil, const std::string& model) {
     return with("left = { model = \"wave\" }", "left = { model = \"" + model + "\" }",
                 plus("[soil.layer]\n" + soil + "[[profile]]\nthickness = 4.0\nsoil = \"layer\"\n"));

@@ -120,7 +120,14 @@ TEST_F(GroundWaterCase, SandsTakeTheirVoidRatioFromTheKeysOfTheirLaw) {
   EXPECT_NEAR(library.soils.at(0).pores->void_ratio(), 0.635, 1e-12);
 }
 
-TEST_F(GroundWaterCase, AnotherVoidRatioThanTheLawsIsTold) {
+TEST_F(GroundWaterCase, ColumnsHaveCells) {
+  const std::string whole = ground(join(elastic, pores));
+  EXPECT_THAT(errors(whole), IsEmpty());
+  EXPECT_THAT(errors(with("element_size = 0.5\n", "", whole)),
+              ElementsAre(HasSubstr("missing 'element_size' in [fe]: half of [mesh] size")));
+}
+
+TEST_F(GroundWaterCase, SandHasOneVoidRatio) {
   EXPECT_THAT(remarks(ground(join(pm4sand, "permeability = 1e-4\nvoid_ratio = 0.7\n"))),
               Contains(AllOf(HasSubstr("void ratio 0.7 "), HasSubstr("the law takes 0.635"))));
   EXPECT_THAT(remarks(ground(join(pm4sand, "permeability = 1e-4\nvoid_ratio = 0.635\n"))), IsEmpty());
@@ -134,7 +141,7 @@ TEST_F(GroundWaterCase, ContradictingDensitiesAreRefusedWithBoth) {
               ElementsAre("'void_ratio' and 'porosity' exclude each other: remove one"));
 }
 
-TEST_F(GroundWaterCase, SoilBelowTheTableNeedsPoresAndPermeability) {
+TEST_F(GroundWaterCase, WetSoilHasPores) {
   EXPECT_THAT(errors(ground(join(elastic, "density = 1990.0\n"))),
               ElementsAre(HasSubstr("missing 'porosity' or 'void_ratio': soil 'sand' lies below the water "
                                     "table, y = -2 m")));
@@ -143,7 +150,7 @@ TEST_F(GroundWaterCase, SoilBelowTheTableNeedsPoresAndPermeability) {
   EXPECT_THAT(errors(ground(join(elastic, "porosity = 0.4\ndrainage = \"undrained\"\n"))), IsEmpty());
 }
 
-TEST_F(GroundWaterCase, WrongUnitsAndPlacesAreTold) {
+TEST_F(GroundWaterCase, TableLiesInGround) {
   EXPECT_THAT(errors(ground(join(elastic, "porosity = 1.2\npermeability = 1e-4\n"))),
               ElementsAre("'porosity' = 1.2 is out of range, must be in [0.01, 0.95]"));
   EXPECT_THAT(errors(ground(join(elastic, pores), "[water]\nlevel = 0.0\ncavitation_pressure = 90e3\n")),
@@ -168,7 +175,7 @@ TEST_F(GroundWaterCase, WrongUnitsAndPlacesAreTold) {
               ElementsAre(HasSubstr("no soil lies below the water table")));
 }
 
-TEST_F(GroundWaterCase, WithoutGravityItIsRefused) {
+TEST_F(GroundWaterCase, WaterHasWeight) {
   auto light = ground(join(elastic, pores));
   light = with("[[stage]]\nkind = \"gravity\"\n", "", light);
   EXPECT_THAT(errors(light), ElementsAre(HasSubstr("add a [[stage]] of kind = \"gravity\"")));

@@ -44,7 +44,7 @@ TEST(Rules, TotalBaseHasOneSurface) {
   EXPECT_THAT(errors_of(with("form = \"total\"", "form = \"blended\"", sloping)), IsEmpty());
 }
 
-TEST(Rules, PeriodicSidesSuitTheRest) {
+TEST(Rules, SidesCanBePeriodic) {
   const auto periodic = [](const std::string& sides, const std::string& text = std::string(flat_case)) {
     return with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n", "sides = \"" + sides + "\"\n",
                 text);
@@ -75,7 +75,7 @@ TEST(Rules, PeriodicSidesSuitTheRest) {
                   "soil along the right side, x = 20, reaches from the base to y = -2")));
 }
 
-TEST(Rules, TheColumnByTheMethodOfLinesIsShakenVertically) {
+TEST(Rules, ModelsTakeTheWave) {
   EXPECT_THAT(errors_of(with_columns()), IsEmpty());
   EXPECT_THAT(errors_of(with("angle_deg = 0.0", "angle_deg = 15.0", with_columns())), IsEmpty());
   EXPECT_THAT(
@@ -133,7 +133,7 @@ TEST(Rules, AColumnOfTheDomainsCellsTakesVerticalWavesAndWholeParticles) {
               ::testing::Contains(::testing::HasSubstr("must be a multiple of it")));
 }
 
-TEST(Rules, FilesOfModelsExist) {
+TEST(Rules, ModelFilesExist) {
   EXPECT_THAT(
       errors_of(with("left = { model = \"wave\" }", "left = { model = \"recording\", file = \"none.h5\" }")),
       ElementsAre("case.toml:25:38: [boundary.left] './none.h5': there is no such file"));
@@ -176,7 +176,7 @@ TEST(Rules, LayersOfOneSideNeedAnIncidentBase) {
               ElementsAre(::testing::HasSubstr("soil 'snad' is not defined, did you mean 'sand'")));
 }
 
-TEST(Rules, AnIncidentBaseHasDashpots) {
+TEST(Rules, IncidentBaseHasDashpots) {
   const auto layered = with("form = \"total\"", "form = \"incident\", absorber = \"matched_layer\"");
   EXPECT_THAT(remarks_of(layered), Contains(HasSubstr("warning: [boundary.base] the base takes the incident "
                                                       "wave alone")));
@@ -184,7 +184,7 @@ TEST(Rules, AnIncidentBaseHasDashpots) {
               Not(Contains(HasSubstr("takes the incident wave alone"))));
 }
 
-TEST(Rules, SpringsStandBesideDashpots) {
+TEST(Rules, SpringsSuitBoundary) {
   const auto left = [](const std::string& keys) {
     return with("left = { model = \"wave\" }", "left = { model = \"wave\", " + keys + " }");
   };
@@ -205,7 +205,7 @@ TEST(Rules, SpringsStandBesideDashpots) {
                             "has none")));
 }
 
-TEST(Rules, SpringsHaveATotalFieldAndACentreInTheGround) {
+TEST(Rules, SpringsHaveTheirField) {
   const auto says = [](const std::string& text, const char* what) {
     EXPECT_THAT(remarks_of(text), Contains(HasSubstr(what)));
   };

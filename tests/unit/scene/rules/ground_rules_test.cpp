@@ -118,7 +118,7 @@ TEST(Rules, AStrengthInKilopascalsCannotHoldTheSoil) {
   EXPECT_THAT(clay("25e3"), IsEmpty());
 }
 
-TEST(Rules, SoilOfTheDomainHoldsItsWeight) {
+TEST(Rules, SoilHoldsItsWeight) {
   // Waves as free field: no column that refuses.
   const auto told = [](double cohesion) {
     std::string text = ground(mohr_coulomb(cohesion, 0.0));
@@ -131,7 +131,7 @@ TEST(Rules, SoilOfTheDomainHoldsItsWeight) {
   EXPECT_THAT(told(40e3), Not(Contains(HasSubstr("own weight"))));
 }
 
-TEST(Rules, StressAtRestCloseToTheLimitIsToldWithItsAngle) {
+TEST(Rules, StressAtRestIsNearLimit) {
   const auto k0 = [](double value) {
     return remarks_of(ground(mohr_coulomb(0.0, 30.0, fmt::format("rest_coefficient = {}\n", value))));
   };
@@ -142,7 +142,7 @@ TEST(Rules, StressAtRestCloseToTheLimitIsToldWithItsAngle) {
 
 const std::string linear = "model = \"linear_elastic\"\nyoung = 40e6\npoisson = 0.28\nporosity = 0.4\n";
 
-TEST(Rules, WaterIsStifferThanTheSkeleton) {
+TEST(Rules, WaterIsStifferThanSkeleton) {
   const auto told = [](const char* modulus) {
     return remarks_of(ground(linear + "permeability = 1e-4\n", "",
                              std::string("[water]\nlevel = 0.0\nbulk_modulus = ") + modulus + "\n"));
@@ -209,7 +209,7 @@ std::string layers(const char* upper, double thickness, const char* lower) {
       upper, 10.0 - thickness, lower);
 }
 
-TEST(Rules, ProfileIsThatOfTheSide) {
+TEST(Rules, ProfileIsThatOfSide) {
   const auto differs = [](const std::string& profile) {
     std::vector<std::string> told;
     for (const std::string& remark : remarks_of(two_soils(profile)))

@@ -100,7 +100,7 @@ TEST(Rules, MeshResolvesFrequencies) {
   EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(HasSubstr("level by level"))));
 }
 
-TEST(Rules, FacesCarryWhatGravityLeaves) {
+TEST(Rules, FacesCarryGravity) {
   const auto one = [](std::string text) {
     return with("size = 1.0\n", "size = 1.0\nparticles_per_cell = 1\n", text);
   };

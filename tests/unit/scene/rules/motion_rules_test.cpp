@@ -58,7 +58,7 @@ TEST(Rules, ReferenceLiesInHalfspace) {
                           "half-space, y <= -4"));
 }
 
-TEST(Rules, WaveArrivesAfterTheStart) {
+TEST(Rules, WaveArrivesAfterStart) {
   EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(HasSubstr("finds it at rest"))));
   EXPECT_THAT(remarks_of(with("time = 1.0", "time = 0.1")),
               Contains(HasSubstr("case.toml:2:1: warning: [motion] the wave reaches the model ")));
@@ -70,7 +70,7 @@ TEST(Rules, WhatArrivesBeforeTheStartIsToldWithItsMagnitude) {
   EXPECT_THAT(remarks_of(with("time = 1.0", "time = 0.6")), Not(Contains(HasSubstr("finds it at rest"))));
 }
 
-TEST(Rules, MotionEndsBeforeTheRun) {
+TEST(Rules, MotionEndsBeforeRun) {
   EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(HasSubstr("after the run's end"))));
   EXPECT_THAT(
       remarks_of(with("time = 1.0", "time = 5.0")),
@@ -81,7 +81,7 @@ TEST(Rules, MotionEndsBeforeTheRun) {
               Contains(ContainsRegex("motion. (4[5-9]|5[0-5])")));
 }
 
-TEST(Rules, UnitIsThatOfTheHeader) {
+TEST(Rules, UnitIsThatOfHeader) {
   const auto file = std::filesystem::path(::testing::TempDir()) / "rules_unit.AT2";
   std::ofstream(file) << "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 7, DT= .01 SEC\n"
                          "0.0 0.1 0.0 -0.2 0.0 0.1 0.0\n";

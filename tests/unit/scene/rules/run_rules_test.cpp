@@ -82,7 +82,7 @@ TEST(Rules, SlidingMassesHoldSoil) {
               ElementsAre(HasSubstr("'polygon' and 'circle' exclude each other")));
 }
 
-TEST(Rules, MonitorsTellTheParticleThatTheyFollow) {
+TEST(Rules, MonitorsLieOnParticles) {
   // Two particles a cell and direction: 0.25 m and 0.75 m from the edges of cells of 1 m.
   const auto monitor = [](const char* point) {
     return remarks_of(plus(std::string("[[monitor]]\nname = \"m\"\npoint = ") + point + "\n"));

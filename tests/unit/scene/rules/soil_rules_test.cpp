@@ -55,7 +55,7 @@ TEST(Rules, ModelsKnowNonlinearSoil) {
   EXPECT_THAT(remarks_of(layered("left = { model = \"fe\" }")), Not(Contains(HasSubstr("'left': "))));
 }
 
-TEST(Rules, SoilIsThatOfTheHalfspace) {
+TEST(Rules, SoilIsThatOfHalfspace) {
   EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(HasSubstr("differs elastically"))));
   const auto softer = with("model = \"linear_elastic\"\ndensity = 1700.0\nyoung = 40e6",
                            "model = \"linear_elastic\"\ndensity = 1700.0\nyoung = 20e6");
@@ -65,7 +65,7 @@ TEST(Rules, SoilIsThatOfTheHalfspace) {
   EXPECT_THAT(remarks_of(softer + std::string(layer)), Not(Contains(HasSubstr("differs elastically"))));
 }
 
-TEST(Rules, SofteningGoesWithTheCells) {
+TEST(Rules, SofteningGoesWithCells) {
   const auto soil = with(
       "model = \"linear_elastic\"\n",
       "model = \"mohr_coulomb\"\ncohesion_peak = 4e3\ncohesion_residual = 0.0\nfriction_peak_deg = 30.0\n"
@@ -98,7 +98,7 @@ TEST(Rules, SofteningNeedsTheSizeThatItHoldsFor) {
   EXPECT_THAT(errors_of(with_strength(friction)), IsEmpty());
 }
 
-TEST(Rules, FreeFieldYieldsLikeTheSoil) {
+TEST(Rules, FreeFieldYieldsLikeSoil) {
   const auto elastic = HasSubstr("the free field is elastic, the soil 'sand' beside it is not");
   EXPECT_THAT(remarks_of(std::string(flat_case)), Not(Contains(elastic)));
   // 2 rho c_s v = 2 * 1700 kg/m3 * 95.87 m/s * 0.1 m/s
@@ -111,7 +111,7 @@ TEST(Rules, FreeFieldYieldsLikeTheSoil) {
   EXPECT_THAT(remarks_of(columns), Not(Contains(elastic)));
 }
 
-TEST(Rules, DomainIsDampedLikeTheFreeField) {
+TEST(Rules, DomainIsDampedLikeFreeField) {
   const auto damped = std::string(flat_case) + std::string(layer) + "damping = 0.05\n";
   // 1 - exp(-2 pi 3 Hz 0.05 4 m / 80 m/s)
   const auto differs = HasSubstr("the free field is not damped like the domain beside it");
@@ -149,6 +149,17 @@ TEST(Rules, DampingOfTheDomainHasTheFrequenciesOfTheFreeField) {
               Contains(HasSubstr("alone: 0.2 of its ratio at 1 Hz and 0.8 at 4 Hz")));
 }
 
+TEST(Rules, ParticlesTakeAllDamping) {
+  const std::string sand = with("poisson = 0.28\n[[region]]", "poisson = 0.28\ndamping = 0.02\n[[region]]");
+  const std::string rayleigh = "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 4.0]\n";
+  EXPECT_THAT(
+      remarks_of(sand + rayleigh),
+      Contains(HasSubstr("the domain has the part of Rayleigh's damping that is proportional to stiffness "
+                         "alone: 0.2 of its ratio at 1 Hz and 0.8 at 4 Hz")));
+  EXPECT_THAT(remarks_of(sand + "[damping]\nmodel = \"kelvin_voigt\"\nreference_hz = 3.0\n"),
+              Not(Contains(HasSubstr("Rayleigh's damping"))));
+}
+
 TEST(Rules, OneSoilHasOneDamping) {
   const std::string kelvin = "[damping]\nmodel = \"kelvin_voigt\"\nratio = 0.05\nreference_hz = 3.0\n";
   const std::string named = "[[profile]]\nthickness = 10.0\nsoil = \"sand\"\n";
@@ -165,7 +176,7 @@ TEST(Rules, OneSoilHasOneDamping) {
 }
 
 /// t = 0.65 h/c_p becomes sqrt(t^2 + beta^2) - beta, beta = xi/(pi f).
-TEST(Rules, DampingShortensTheStep) {
+TEST(Rules, DampingLeavesTheStep) {
   const std::string damped =
       std::string(flat_case) + "[damping]\nmodel = \"kelvin_voigt\"\nratio = 0.05\n" + "reference_hz = 3.0\n";
   const double undamped = plan(parse_case(std::string(flat_case))).critical_dt;

@@ -44,7 +44,7 @@ TEST(Stages, HaveTheNameOfTheirKindOrOneOfTheirOwn) {
 }
 
 // The box is 20 m wide.
-TEST(Loads, EndTwoOfTheirWidthsBeforeASideThatAFreeFieldDrives) {
+TEST(Rules, LoadsAreFarFromSides) {
   const auto far = HasSubstr("before a side whose free field does not have it");
   EXPECT_THAT(remarks_of(loaded()), Not(Contains(far)));
   EXPECT_THAT(remarks_of(loaded(load("x_m = [7.9, 11.9]\npressure_pa = 1e3\n"))),

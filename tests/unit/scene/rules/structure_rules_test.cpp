@@ -126,7 +126,7 @@ TEST(Rules, RingsAreMeasuredBetweenOutlineAndHole) {
   EXPECT_THAT(ring("hole = [[8.6, -6.4], [11.4, -6.4], [11.4, -3.6], [8.6, -3.6]]"), IsEmpty());
 }
 
-TEST(Rules, StructuresLieOnTheFinestLevel) {
+TEST(Rules, StructuresLieOnFinestLevel) {
   const auto refined = [](std::string_view box) {
     return errors_of(with_block() + "[[refine]]\nbox = " + std::string(box) + "\nlevel = 1\n");
   };
@@ -219,7 +219,7 @@ TEST(Rules, MonitorsLieInNoStructure) {
               Contains(HasSubstr("follows the particle that starts at [12.3, -1.25], 0.1 m")));
 }
 
-TEST(Rules, SidesAreFarFromStructuresOnYieldingSoil) {
+TEST(Rules, SidesAreFarFromStructures) {
   constexpr const char* near = "the nearer side is 10 m from the middle of the structures: their settlement "
                                "depends on the box unless that is 4 depths of the model, 40 m";
   EXPECT_THAT(remarks_of(with_block()), Not(Contains(HasSubstr("their settlement"))));
@@ -230,7 +230,7 @@ TEST(Rules, SidesAreFarFromStructuresOnYieldingSoil) {
   EXPECT_THAT(remarks_of(yielding), Contains(HasSubstr(near)));
 }
 
-TEST(Rules, MonitorsOnStructuresLieOnThem) {
+TEST(Rules, MonitorsLieOnStructures) {
   const auto monitor = [](const char* point, const char* structure) {
     return with_block() + "[[monitor]]\nname = \"m\"\npoint = " + point + "\nstructure = \"" + structure +
            "\"\n";
