@@ -4,6 +4,7 @@
 #include "freefield/process/column_from_case.hpp"
 #include "freefield/process/column_values.hpp"
 #include "mpm_domain/process/column_from_case.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "wavefield/process/field_from_case.hpp"
 #include "wavefield/process/ground_from_case.hpp"

@@ -23,6 +23,7 @@
 #include "mpm_domain/state.hpp"
 #include "mpm_domain/transfer/snapshot.hpp"
 #include "scene/case.hpp"
+#include "scene/plan/output/intervals.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/stages/stages.hpp"
 

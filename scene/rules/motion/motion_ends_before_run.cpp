@@ -31,7 +31,7 @@ void motion_ends_before_run(const Case& scene, Findings& findings) {
   if (late > negligible_energy * all)
     findings.add(scene.motion.shakings.back().path,
                  fmt::format("{:.3g} % of the incident wave's energy reaches the model after the run's "
-                             "end at {} s; the wave ends at {:.4g} s",
+                             "end at {:.6g} s; the wave ends at {:.4g} s",
                              100.0 * late / all, scene.end(), wave.end() + delay));
 }
 

@@ -3,6 +3,7 @@
 #include "scene/keys/reference.hpp"
 
 #include "scene/keys/keys.hpp"
+#include "scene/rules/rule.hpp"
 #include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,7 @@ TEST(Reference, CommittedFilesAreCurrent) {
     EXPECT_EQ(committed(reference.page), markdown(reference)) << "run: tremolo docs docs";
     EXPECT_EQ(committed(reference.schema), json_schema(reference)) << "run: tremolo docs docs";
   }
+  EXPECT_EQ(committed("checks.md"), checks_page()) << "run: tremolo docs docs";
 }
 
 TEST(Reference, DefaultsLieInTheirRange) {
