@@ -2,6 +2,7 @@
 
 #include "mpm_domain/kernel/lanes.hpp"
 #include "mpm_domain/water/mixture_kick.hpp"
+#include "mpm_domain/water/water_scatter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,12 @@ MixtureNodes masses(const Grid& grid, std::size_t n, Group group, double density
 /// n = m_f/(rho_f V), 0 where there is no water.
 Lanes porosity(const MixtureNodes& nodes) {
   return nodes.water_mass * inverse(nodes.full_water, nodes.has_water);
+}
+
+/// Nodes that water may pass: it flows there, and no soil touches them that lets none enter, not even by a
+/// share of 1e-9.
+LaneMask lets_pass(const MixtureNodes& nodes, double density) {
+  return nodes.has_water & (density * nodes.resistance < 1e-9 * sealed * nodes.full_water);
 }
 
 } // namespace
@@ -134,12 +141,13 @@ ExactSums<1> remap_flux(Ground& ground, std::span<const NodeRange> rows) {
       const MixtureNodes m = masses(grid, n, group, density, empty, without);
       const Lanes pores = porosity(m);
       const Lanes per_mass = inverse(m.water_mass, m.has_water);
+      const LaneMask passes = lets_pass(m, density);
       const auto remap = [&](const NodeField& momentum, const NodeField& open, const NodeField& pull,
                              const NodeField& v_strain, const NodeField& v_after, const NodeField& w_after,
                              NodeField& flux) {
         const Lanes u = group.load(&v_strain[n]);
         const Lanes relative =
-            choose(m.has_water, group.load(&open[n]) * (group.load(&momentum[n]) * per_mass - u), Lanes{});
+            choose(passes, group.load(&open[n]) * (group.load(&momentum[n]) * per_mass - u), Lanes{});
         group.store(&flux[n], u + pores * relative);
         const Lanes after = group.load(&w_after[n]) - group.load(&v_after[n]);
         power += pores * group.load(&pull[n]) * (after - relative);

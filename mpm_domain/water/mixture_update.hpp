@@ -40,7 +40,9 @@ ExactSums<4> update_mixture(Ground& ground, double dt, std::span<const NodeRange
 /// The flux v_s + n w that changes pore pressures, of v+ (usl).
 void find_flux(Ground& ground, std::span<const NodeRange> nodes);
 
-/// Likewise of the velocities of the particles' new momenta (musl).
+/// Likewise of the velocities of the particles' new momenta (musl). Nodes that let no water pass have no w,
+/// whatever the particles beside them carry there: soil that lets none enter would take in what no force has
+/// moved.
 /// @returns power of the excess pressure on the difference between the flow after the update and that of the
 /// flux, W/m
 ExactSums<1> remap_flux(Ground& ground, std::span<const NodeRange> nodes);

@@ -16,10 +16,8 @@ namespace {
 /// What all soil under water brings.
 constexpr SumRange numbers = sums_between(Sum::lift, Sum::pore_volume);
 
-/// Soil without pores, or whose water does not flow, lets none enter: a resistance beyond all drag of soil
-/// takes the relative velocity of the nodes that it touches. Above the table soil without pores is open.
-constexpr double sealed = 1e30; // Pa s/m2
-
+/// Soil without pores, or whose water does not flow, lets none enter. Above the table soil without pores is
+/// open.
 bool is_sealed(const Ground& ground, const Particles& p) {
   return !p.body && !p.traits.flowing && (p.traits.wet || !ground.spec.soils[p.soil_index].pores);
 }

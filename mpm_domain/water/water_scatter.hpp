@@ -7,13 +7,18 @@
 //     V_i = sum S V,                R_i = sum S V rho_f g/k,      f_i = sum V p_e grad S,
 //
 // and everywhere what water takes off the weight, NodeFields::lift, and pore volumes, sum S n V. Soil that
-// lets no water enter adds to the resistance. Soil and water go in one pass with the same weights.
+// lets no water enter adds to the resistance what no drag can be, so that no water passes the nodes that it
+// touches. Soil and water go in one pass with the same weights.
 
 #include "mpm_domain/ground.hpp"
 
 #include <span>
 
 namespace tremolo::mpm_domain {
+
+/// What soil that lets no water enter adds to the resistance of nodes, per volume: beyond all drag of soil,
+/// Pa s/m2
+inline constexpr double sealed = 1e30;
 
 /// Sets the sums of soil and water to those of all particles, tied nodes folded.
 /// @param nodes  that particles may touch
