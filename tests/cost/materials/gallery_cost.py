@@ -62,7 +62,7 @@ def cost_table(runs):
         run = runs[program][many]
         state = run.get("state_bytes", run.get("bytes_of_state", np.nan))
         times = nanoseconds(runs[program][alone]), nanoseconds(run)
-        body.append([law, *(f"{t:.3g}" for t in times), f"{times[1] / cheapest:.2g}", rows.number(state)])
+        body.append([law, *(f"{t:.3g}" for t in times), f"{times[1] / cheapest:.3g}", rows.number(state)])
     head = ["law", "one point (ns)", "of 100,000 points, each (ns)", "over `linear_elastic`", "state (bytes)"]
     return rows.table(head, body)
 
