@@ -83,8 +83,14 @@ def raster(position, size, level, bounds, shape):
     half = np.broadcast_to(0.625 * np.asarray(size, dtype=float).reshape(-1, 1), (len(position), 1))
     first = np.floor((position - half - bounds[:2]) * scale).astype(int)
     last = np.maximum(np.floor((position + half - bounds[:2]) * scale).astype(int), first + 1)
-    for dx in range(int(np.max(last[:, 0] - first[:, 0]))):
-        for dy in range(int(np.max(last[:, 1] - first[:, 1]))):
+    widest, highest = (last - first).max(axis=0)
+    if widest * highest > len(position):  # few large squares: one after the other
+        low, high = np.clip(first, 0, (columns, rows)), np.clip(last, 0, (columns, rows))
+        for (left, bottom), (right, top), colour in zip(low, high, np.broadcast_to(level, len(position))):
+            pixels[rows - top : rows - bottom, left:right] = colour
+        return pixels
+    for dx in range(widest):
+        for dy in range(highest):
             x, y = first[:, 0] + dx, first[:, 1] + dy
             inside = (x < last[:, 0]) & (y < last[:, 1]) & (x >= 0) & (x < columns) & (y >= 0) & (y < rows)
             pixels[rows - 1 - y[inside], x[inside]] = level[inside]

@@ -50,6 +50,19 @@ class Images(unittest.TestCase):
         expected[15:25, 15:25] = 7
         np.testing.assert_array_equal(expected, pixels)
 
+    def test_large_squares_are_drawn_as_small_ones_are(self):
+        # Two squares of many pixels, one of them cut by the edge; then each of them as many small ones side by side.
+        box, shape = (0.0, 0.0, 4.0, 3.0), (300, 400)
+        large = frames.raster(np.array([[2.0, 1.0], [4.0, 2.5]]), 0.8, np.array([7, 9], dtype=np.uint8), box, shape)
+        small = np.full(shape, frames.NOTHING, dtype=np.uint8)
+        for (x, y), colour in (((2.0, 1.0), 7), ((4.0, 2.5), 9)):
+            offsets = np.arange(-0.5, 0.5, 0.01) + 0.005
+            points = np.array([[x + dx, y + dy] for dx in offsets for dy in offsets])
+            pixels = frames.raster(points, 0.01 / 1.25, np.full(len(points), colour, dtype=np.uint8), box, shape)
+            small[pixels == colour] = colour
+        self.assertLess(np.mean(large != small), 0.005)  # a row of pixels at the edges
+        self.assertEqual(9, large[50, 399])
+
     def test_particles_beyond_the_bounds_are_left_out(self):
         pixels = frames.raster(np.array([[-9.0, 1.0], [1.0, 99.0]]), 0.5, np.zeros(2, dtype=np.uint8), (0.0, 0.0, 4.0, 3.0), (30, 40))
         self.assertTrue(np.all(pixels == frames.NOTHING))
