@@ -1,6 +1,7 @@
 // Arias intensity I(t) = pi/(2 g) int_0^t a^2 dt (Arias 1970); significant duration between 5 and 95 % of it
-// (Trifunac & Brady 1975); CAV = int |a| dt (EPRI 1988); mean period T_m = sum(C_i^2 / f_i) / sum(C_i^2) with
-// the Fourier amplitudes C_i at 0.25 <= f_i <= 20 Hz (Rathje, Abrahamson & Bray 1998).
+// (Trifunac & Brady 1975), and between 5 and 75 % (Somerville et al. 1997); CAV = int |a| dt (EPRI 1988);
+// mean period T_m = sum(C_i^2 / f_i) / sum(C_i^2) with the Fourier amplitudes C_i at 0.25 <= f_i <= 20 Hz
+// (Rathje, Abrahamson & Bray 1998).
 
 #include "motion/measures.hpp"
 
@@ -56,6 +57,7 @@ Measures measures_of(std::span<const double> a, std::span<const double> v, std::
           .pgd = peak(d),
           .arias = arias,
           .significant_duration = time_of(intensity, dt, 0.95 * arias) - time_of(intensity, dt, 0.05 * arias),
+          .duration_5_75 = time_of(intensity, dt, 0.75 * arias) - time_of(intensity, dt, 0.05 * arias),
           .cav = integrate(absolute, dt).back(),
           .mean_period = mean_period(a, dt),
           .residual_velocity = v.back(),

@@ -15,6 +15,7 @@ struct Measures {
   double pgd = 0.0;                  ///< max |d|, m
   double arias = 0.0;                ///< pi/(2 g) int a^2 dt, m/s
   double significant_duration = 0.0; ///< between 5 and 95 % of the Arias intensity, s
+  double duration_5_75 = 0.0;        ///< between 5 and 75 % of it, s
   double cav = 0.0;                  ///< cumulative absolute velocity int |a| dt, m/s
   double mean_period = 0.0;       ///< sum C_i^2/f_i / sum C_i^2 of Fourier amplitudes C_i, 0.25 to 20 Hz, s
   double residual_velocity = 0.0; ///< at the last sample, m/s

@@ -28,7 +28,7 @@
 namespace tremolo::results {
 
 /// Version of the layout of `run.h5`: "major.minor"; a reader refuses another major.
-inline constexpr std::string_view schema_version = "1.5";
+inline constexpr std::string_view schema_version = "1.6";
 
 /// What is known of a run before its first step.
 struct RunDescription {
@@ -38,6 +38,9 @@ struct RunDescription {
   std::string build_version; ///< of tremolo
   std::string compiler;
   std::string build_flags;
+  /// What the file is where it holds no particles, e.g. "column": an attribute of the root. Such a file takes
+  /// no frame and has no XDMF beside it.
+  std::string content = {};
 };
 
 /// A growing table of numbers: one row a time, first column the time in s.
@@ -104,7 +107,8 @@ public:
   /// Writes a table of named columns, e.g. /timings.
   void table(std::string_view path, const Table& table);
 
-  /// Status "complete", flushed and closed.
+  /// Status "complete", flushed and closed; then ParaView's view of the frames is added
+  /// (results/paraview/vtkhdf.hpp).
   void finish();
 
   /// Status "aborted: reason", flushed and closed.

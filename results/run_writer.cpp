@@ -1,6 +1,7 @@
 #include "results/checkpoint_file.hpp"
 #include "results/hdf5/growing_dataset.hpp"
 #include "results/hdf5/hdf5_write.hpp"
+#include "results/paraview/vtkhdf.hpp"
 #include "results/run_file.hpp"
 #include "results/run_status.hpp"
 #include "results/xdmf.hpp"
@@ -111,7 +112,12 @@ class RunWriter::Implementation {
 public:
   Implementation(const std::filesystem::path& path, const RunDescription& description)
       : path_(path), file_(create_draft(path_)), frames_(create_group(root(), "frames", expected_frames)),
-        monitors_(create_group(root(), "monitors", expected_monitors)), xdmf_(path_) {
+        monitors_(create_group(root(), "monitors", expected_monitors)) {
+    if (description.content.empty()) {
+      xdmf_.emplace(path_);
+    } else {
+      write_attribute(root(), "content", description.content);
+    }
     create_status(root());
     write_attribute(root(), "schema_version", std::string(schema_version));
     write_attribute(root(), "title", description.title);
@@ -218,6 +224,9 @@ public:
   /// The frame is written and flushed before anything refers to it; then one link makes it part of the run.
   /// Its contact nodes are there before it is.
   void write_frame(double time, std::span<const Field> fields, std::span<const Field> contact) {
+    if (!xdmf_) {
+      throw std::invalid_argument(fmt::format("{}: this file takes no frames", path_.string()));
+    }
     const std::size_t particles = point_count(fields, "particle", 1);
     const std::size_t nodes = contact.empty() ? 0 : point_count(contact, "contact node", 0);
     const std::string name = fmt::format("{:04}", frame_count_);
@@ -238,7 +247,7 @@ public:
       xdmf_fields.push_back({std::string(field.name), field.components,
                              std::holds_alternative<std::span<const double>>(field.values)});
     }
-    xdmf_.add_frame(time, "/frames/" + name, particles, xdmf_fields);
+    xdmf_->add_frame(time, "/frames/" + name, particles, xdmf_fields);
   }
 
   void table(std::string_view path, const Table& table) {
@@ -340,7 +349,7 @@ private:
   std::vector<BoundaryDataset> boundary_;
   std::vector<Checksum> frames_written_; ///< of particles and contact nodes
   std::size_t frame_count_ = 0;
-  XdmfFile xdmf_;
+  std::optional<XdmfFile> xdmf_; ///< none of a file that takes no frames
 };
 
 RunWriter::RunWriter(const std::filesystem::path& file, const RunDescription& description)
@@ -396,6 +405,9 @@ void RunWriter::table(std::string_view path, const Table& table) {
 
 void RunWriter::finish() {
   implementation_->guarded([&] { implementation_->close(status_complete); });
+  if (frame_count() > 0) {
+    add_vtkhdf(implementation_->root().file);
+  }
 }
 
 void RunWriter::abort(std::string_view reason) {

@@ -1,6 +1,8 @@
 #include "app/free_field/column_report.hpp"
 
+#include "app/free_field/column/site_tables.hpp"
 #include "app/free_field/water_tables.hpp"
+#include "motion/measures.hpp"
 #include "motion/record.hpp"
 #include "motion/spectra.hpp"
 #include "scene/plan/layers.hpp"
@@ -43,30 +45,23 @@ std::vector<double> times_of(const wavefield::TimeGrid& grid) {
   return times;
 }
 
-/// Vertical total stress of the soil above a level, Pa.
-double overburden(const scene::Case& scene, const scene::SourceProcess& source, double y) {
-  double top = source.surface;
-  double stress = 0.0;
-  for (const scene::Layer& layer : scene::layers(scene, source)) {
-    const double bottom = std::max(top - layer.thickness, y);
-    stress += layer.elastic.density * motion::standard_gravity * std::max(top - bottom, 0.0);
-    top -= layer.thickness;
-  }
-  return stress + scene.halfspace.density * motion::standard_gravity * std::max(top - y, 0.0);
-}
-
-results::Table history(const FreeFieldSeries& series, std::size_t level) {
+results::Table history(const ColumnGround& ground, const FreeFieldSeries& series, std::size_t level) {
   const auto samples = series.at(level);
   results::Table table{{{"time", "s", times_of(series.times)}}};
-  const auto add = [&](const char* name, const char* unit, Member member) {
-    table.columns.push_back({name, unit, column_of(samples, member)});
+  const auto add = [&](const char* name, const char* unit, Member member, double offset = 0.0) {
+    auto values = column_of(samples, member);
+    for (double& value : values)
+      value += offset;
+    table.columns.push_back({name, unit, std::move(values)});
   };
-  add("ax", "m/s2", &ColumnSample::vx_rate);
-  add("ay", "m/s2", &ColumnSample::vy_rate);
-  add("vx", "m/s", &ColumnSample::vx);
-  add("vy", "m/s", &ColumnSample::vy);
+  add("x", "m", &ColumnSample::ux, ground.x);
+  add("y", "m", &ColumnSample::uy, series.levels[level]);
   add("ux", "m", &ColumnSample::ux);
   add("uy", "m", &ColumnSample::uy);
+  add("vx", "m/s", &ColumnSample::vx);
+  add("vy", "m/s", &ColumnSample::vy);
+  add("ax", "m/s2", &ColumnSample::vx_rate);
+  add("ay", "m/s2", &ColumnSample::vy_rate);
   add("sxx", "Pa", &ColumnSample::sxx);
   add("syy", "Pa", &ColumnSample::syy);
   add("sxy", "Pa", &ColumnSample::sxy);
@@ -75,14 +70,25 @@ results::Table history(const FreeFieldSeries& series, std::size_t level) {
   return table;
 }
 
+/// Largest displacement relative to the base.
+double relative_peak(const FreeFieldSeries& series, std::size_t level, Member member) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < series.times.count; ++i)
+    largest = std::max(largest, std::abs(series.at(level)[i].*member - series.at(0)[i].*member));
+  return largest;
+}
+
 results::Table profile(const scene::Case& scene, const scene::SourceProcess& source,
                        const FreeFieldSeries& series) {
   results::Table table{{{"y", "m", series.levels}}};
-  const auto add = [&](const char* name, const char* unit, Member member) {
+  const auto add_values = [&](const char* name, const char* unit, const auto& value) {
     std::vector<double> values;
     for (std::size_t k = 0; k < series.levels.size(); ++k)
-      values.push_back(peak(series.at(k), member));
+      values.push_back(value(k));
     table.columns.push_back({name, unit, std::move(values)});
+  };
+  const auto add = [&](const char* name, const char* unit, Member member) {
+    add_values(name, unit, [&](std::size_t k) { return peak(series.at(k), member); });
   };
   add("peak_ax", "m/s2", &ColumnSample::vx_rate);
   add("peak_ay", "m/s2", &ColumnSample::vy_rate);
@@ -90,15 +96,24 @@ results::Table profile(const scene::Case& scene, const scene::SourceProcess& sou
   add("peak_vy", "m/s", &ColumnSample::vy);
   add("peak_ux", "m", &ColumnSample::ux);
   add("peak_uy", "m", &ColumnSample::uy);
+  add_values("peak_ux_relative", "m",
+             [&](std::size_t k) { return relative_peak(series, k, &ColumnSample::ux); });
+  add_values("peak_uy_relative", "m",
+             [&](std::size_t k) { return relative_peak(series, k, &ColumnSample::uy); });
   add("peak_gxy", "1", &ColumnSample::gxy);
   add("peak_eyy", "1", &ColumnSample::eyy);
   add("peak_sxy", "Pa", &ColumnSample::sxy);
-  std::vector<double> ratio;
-  for (std::size_t k = 0; k < series.levels.size(); ++k) {
-    const double vertical = overburden(scene, source, series.levels[k]);
-    ratio.push_back(vertical > 0.0 ? peak(series.at(k), &ColumnSample::sxy) / vertical : 0.0);
-  }
-  table.columns.push_back({"stress_ratio", "1", std::move(ratio)});
+  const auto effective = [&](std::size_t k) {
+    return initial_effective_stress(scene, source, series.levels[k]);
+  };
+  const auto stress_ratio = [&](std::size_t k) {
+    return effective(k) > 0.0 ? peak(series.at(k), &ColumnSample::sxy) / effective(k) : 0.0;
+  };
+  // Of the largest stress, the amplitude of even cycles that do as much (Seed & Idriss 1971).
+  constexpr double even_cycles = 0.65;
+  add_values("effective_stress", "Pa", effective);
+  add_values("stress_ratio", "1", stress_ratio);
+  add_values("cyclic_stress_ratio", "1", [&](std::size_t k) { return even_cycles * stress_ratio(k); });
   return table;
 }
 
@@ -140,17 +155,53 @@ std::vector<double> ratio(const std::vector<motion::FourierAmplitude>& above,
   return values;
 }
 
+std::vector<double> amplitudes_of(const std::vector<motion::FourierAmplitude>& spectrum) {
+  std::vector<double> values;
+  for (const auto& bin : spectrum)
+    values.push_back(bin.amplitude);
+  return values;
+}
+
 results::Table transfer(const std::vector<double>& surface, const std::vector<double>& base,
                         const std::vector<double>& outcrop, double dt) {
   const auto top = amplitudes(surface, dt);
+  const auto bottom = amplitudes(base, dt);
   std::vector<double> frequencies;
   frequencies.reserve(top.size());
   for (const auto& bin : top)
     frequencies.push_back(bin.frequency);
-  results::Table table{
-      {{"frequency", "Hz", frequencies}, {"surface_to_base", "1", ratio(top, amplitudes(base, dt))}}};
-  if (!outcrop.empty())
-    table.columns.push_back({"surface_to_outcrop", "1", ratio(top, amplitudes(outcrop, dt))});
+  results::Table table{{{"frequency", "Hz", frequencies},
+                        {"surface_to_base", "1", ratio(top, bottom)},
+                        {"surface", "m/s", amplitudes_of(top)},
+                        {"base", "m/s", amplitudes_of(bottom)}}};
+  if (outcrop.empty())
+    return table;
+  const auto rock = amplitudes(outcrop, dt);
+  table.columns.push_back({"surface_to_outcrop", "1", ratio(top, rock)});
+  table.columns.push_back({"outcrop", "m/s", amplitudes_of(rock)});
+  return table;
+}
+
+/// A row a motion.
+results::Table measures_table(const std::vector<std::string>& places,
+                              const std::vector<std::vector<double>>& accelerations, double dt) {
+  std::vector<motion::Measures> rows;
+  for (const auto& acceleration : accelerations)
+    rows.push_back(motion::measures(acceleration, dt));
+  results::Table table{{{"place", "1", places}}};
+  const auto add = [&](const char* name, const char* unit, double motion::Measures::*member) {
+    std::vector<double> values;
+    for (const auto& row : rows)
+      values.push_back(row.*member);
+    table.columns.push_back({name, unit, std::move(values)});
+  };
+  add("pga", "m/s2", &motion::Measures::pga);
+  add("pgv", "m/s", &motion::Measures::pgv);
+  add("arias", "m/s", &motion::Measures::arias);
+  add("duration_5_75", "s", &motion::Measures::duration_5_75);
+  add("duration_5_95", "s", &motion::Measures::significant_duration);
+  add("cav", "m/s", &motion::Measures::cav);
+  add("mean_period", "s", &motion::Measures::mean_period);
   return table;
 }
 
@@ -165,38 +216,57 @@ std::vector<double> outcrop_acceleration(const scene::Case& scene, const scene::
     return {};
   const double factor = wavefield::outcrop_factor(ground, incidence.wave, incidence.angle_rad);
   const auto signal = wavefield::incident_signal(scene, ground);
-  std::vector<double> velocity;
+  const auto velocity = [&](double time) {
+    return time >= signal.begin && time <= signal.end ? signal.velocity(time) : 0.0;
+  };
+  // So near to each other that the slope is that of the signal, whose period is eight of the steps or more.
+  const double near = times.dt / 16.0;
+  std::vector<double> acceleration;
   for (const double time : times_of(times))
-    velocity.push_back(factor * (time >= signal.begin && time <= signal.end ? signal.velocity(time) : 0.0));
-  return motion::differentiate(velocity, times.dt);
+    acceleration.push_back(factor * (velocity(time + near) - velocity(time - near)) / (2.0 * near));
+  return acceleration;
 }
 
-std::vector<results::NamedTable> column_tables(const scene::Case& scene, const scene::SourceProcess& source,
-                                               const FreeFieldSeries& series,
-                                               const std::vector<std::size_t>& shown) {
+std::string place_name(double depth) {
+  return depth == 0.0 ? "surface" : fmt::format("{} m", std::round(1e3 * depth) / 1e3);
+}
+
+ColumnResults column_results(const ColumnGround& ground, const FreeFieldSeries& series,
+                             const std::vector<std::size_t>& shown) {
+  const auto& [scene, source, x] = ground;
   const Member along = scene.motion.wave == scene::Wave::sv ? &ColumnSample::vx_rate : &ColumnSample::vy_rate;
   const auto surface = column_of(series.at(series.levels.size() - 1), along);
   const auto base = column_of(series.at(0), along);
   const auto outcrop = outcrop_acceleration(scene, source, series.times);
   const double dt = series.times.dt;
+  const bool wet = has_pore_pressure(scene, source);
 
-  std::vector<results::NamedTable> tables;
-  std::vector<std::string> names;
+  ColumnResults found;
+  std::vector<std::string> names, places;
   std::vector<double> levels;
-  for (const std::size_t level : shown) {
-    names.push_back(fmt::format("{:03}", names.size()));
-    levels.push_back(series.levels[level]);
-    tables.push_back({"/histories/" + names.back(), history(series, level)});
-    if (has_pore_pressure(scene, source))
-      add_water(scene, source, series, level, tables.back().table);
+  std::vector<std::vector<double>> motions;
+  if (!outcrop.empty()) {
+    places.emplace_back("outcrop");
+    motions.push_back(outcrop);
   }
-  tables.push_back({"/levels", {{{"name", "1", names}, {"y", "m", levels}}}});
-  tables.push_back({"/profile", profile(scene, source, series)});
-  tables.push_back({"/spectra", spectra(surface, outcrop, dt)});
-  tables.push_back({"/transfer", transfer(surface, base, outcrop, dt)});
-  if (has_pore_pressure(scene, source))
-    std::ranges::move(water_tables(scene, source, series), std::back_inserter(tables));
-  return tables;
+  for (const std::size_t level : shown) {
+    names.push_back(place_name(source.surface - series.levels[level]));
+    levels.push_back(series.levels[level]);
+    places.push_back(names.back());
+    motions.push_back(column_of(series.at(level), along));
+    found.histories.push_back({"/monitors/" + names.back(), history(ground, series, level)});
+    if (wet)
+      add_water(scene, source, series, level, found.histories.back().table);
+  }
+  found.tables = {{"/levels", {{{"name", "1", names}, {"y", "m", levels}}}},
+                  {"/profile", profile(scene, source, series)},
+                  {"/spectra", spectra(surface, outcrop, dt)},
+                  {"/transfer", transfer(surface, base, outcrop, dt)},
+                  {"/measures", measures_table(places, motions, dt)}};
+  std::ranges::move(site_tables(ground, series), std::back_inserter(found.tables));
+  if (wet)
+    std::ranges::move(water_tables(scene, source, series), std::back_inserter(found.tables));
+  return found;
 }
 
 } // namespace tremolo::app

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "app/free_field/column/column_ground.hpp"
 #include "app/free_field/free_field_series.hpp"
 #include "results/run_file.hpp"
 #include "scene/case.hpp"
 
+#include <string>
 #include <vector>
 
 namespace tremolo::app {
@@ -14,15 +16,24 @@ namespace tremolo::app {
 std::vector<double> outcrop_acceleration(const scene::Case& scene, const scene::SourceProcess& source,
                                          const wavefield::TimeGrid& times);
 
-/// What engineers look at in a free field, as tables (docs/output-format.md):
-///   /histories/LEVEL  motion, stress and strain at the depths asked for
-///   /profile          peak values over depth
-///   /spectra          response spectra at 5 % of critical damping, surface and outcrop
-///   /transfer         Fourier amplitudes of the surface over those of outcrop and base
-/// and those of water_tables() where the ground has pore pressure
+/// What engineers look at in a free field (docs/output-format.md).
+struct ColumnResults {
+  std::vector<results::NamedTable> histories; ///< /monitors/PLACE: motion, stress and strain over time
+  /// In the order of the histories:
+  ///   /levels     places of the histories
+  ///   /profile    peak values over depth
+  ///   /spectra    response spectra at 5 % of critical damping, surface and outcrop
+  ///   /transfer   Fourier amplitudes of surface, base and outcrop, and their ratios
+  ///   /measures   intensity measures of the outcrop and at the places of the histories
+  /// and those of site_tables(), and of water_tables() where the ground has pore pressure
+  std::vector<results::NamedTable> tables;
+};
+
+/// "surface", or "8 m" for a depth of 8 m.
+std::string place_name(double depth);
+
 /// @param shown  levels of the histories, as indices into series.levels
-std::vector<results::NamedTable> column_tables(const scene::Case& scene, const scene::SourceProcess& source,
-                                               const FreeFieldSeries& series,
-                                               const std::vector<std::size_t>& shown);
+ColumnResults column_results(const ColumnGround& ground, const FreeFieldSeries& series,
+                             const std::vector<std::size_t>& shown);
 
 } // namespace tremolo::app

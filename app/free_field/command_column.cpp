@@ -1,14 +1,11 @@
 // tremolo column: the free field of a case alone, by any model, as engineers look at it.
 
 #include "app/commands.hpp"
-#include "app/free_field/column/column_ground.hpp"
+#include "app/free_field/column/column_file.hpp"
+#include "app/free_field/column/column_models.hpp"
 #include "app/free_field/column_recording.hpp"
-#include "app/free_field/column_report.hpp"
-#include "app/free_field/free_field_series.hpp"
-#include "app/free_field/water_tables.hpp"
 #include "app/output_place.hpp"
 #include "app/python.hpp"
-#include "results/run_file.hpp"
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/wet_soils.hpp"
@@ -19,9 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,17 +24,14 @@
 namespace tremolo::app {
 namespace {
 
-constexpr const char* column_content = "column";
-
 struct Options {
   std::string scene;
   std::string model;
+  std::vector<std::string> models;
   std::string out;
   std::string record;
   std::string side;
-  std::vector<double> depths;
-  std::optional<double> duration;
-  std::optional<double> every;
+  ColumnHistories histories;
   bool plot = false;
 };
 
@@ -48,88 +40,29 @@ scene::Side side_of(const Options& options) {
 }
 
 /// The complete case, with the model on both sides and at the base.
-scene::Case with_model(const Options& options) {
+scene::Case with_model(const Options& options, scene::SourceModel model) {
   const scene::Case given = scene::load(options.scene);
-  const auto text = scene::overridden_text(
-      given, {.record = {}, .angle_deg = {}, .model = scene::computed_model(options.model)});
+  const auto text = scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = model});
   return scene::parse(text, given.file, given.directory);
 }
 
 /// The profile of the case, for which only its tables are needed; or that of a side.
-ColumnGround ground_of(const Options& options) {
+ColumnGround ground_of(const Options& options, scene::SourceModel model) {
   if (options.side.empty())
-    return column_ground(options.scene, scene::computed_model(options.model));
-  auto scene = with_model(options);
+    return column_ground(options.scene, model);
+  auto scene = with_model(options, model);
   const auto source = scene::source_of(scene::plan(scene), side_of(options));
   const double x = side_of(options) == scene::Side::left ? scene.mesh.box.x_min : scene.mesh.box.x_max;
   return {std::move(scene), source, x};
 }
 
-/// Even levels for the peak profiles, interfaces twice, and those asked for.
-std::vector<double> all_levels(const scene::Case& scene, const scene::SourceProcess& source,
-                               const std::vector<double>& depths) {
-  constexpr int intervals = 100;
-  const double base = deepest_level(scene, source);
-  std::vector<double> levels;
-  levels.reserve(intervals + 1 + depths.size());
-  for (int i = 0; i < intervals; ++i)
-    levels.push_back(base + (source.surface - base) * i / intervals);
-  levels.push_back(source.surface);
-  for (const double depth : depths) {
-    const double y = source.surface - depth;
-    if (!(y >= base && y <= source.surface))
-      throw std::runtime_error(fmt::format("--depths: {} m is outside the column, allowed are 0 to {} m",
-                                           depth, source.surface - base));
-    if (std::ranges::find(levels, y) == levels.end())
-      levels.insert(std::ranges::lower_bound(levels, y), y);
-  }
-  return scene::with_interfaces(std::move(levels), source.surface, scene::layers(scene, source), 0.0);
-}
-
-/// Whether two layers are slices of one soil whose properties vary over depth.
-bool slices_of_one_soil(const scene::Case& scene, const scene::Layer& above, const scene::Layer& below) {
-  return above.soil && below.soil && above.wet == below.wet &&
-         std::ranges::any_of(scene.soil_profiles, [&](const scene::SoilProfile& soil) {
-           return soil.has(*above.soil) && soil.has(*below.soil);
-         });
-}
-
-/// Depths of the histories: those asked for, otherwise surface, interfaces and base. Slices of one soil have
-/// no interface between them.
-std::vector<double> depths_of(const scene::Case& scene, const scene::SourceProcess& source,
-                              const Options& options) {
-  if (!options.depths.empty())
-    return options.depths;
-  const std::vector<scene::Layer>& layers = scene::layers(scene, source);
-  std::vector<double> depths{0.0};
-  double depth = 0.0;
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    depth += layers[i].thickness;
-    if (i + 1 == layers.size() || !slices_of_one_soil(scene, layers[i], layers[i + 1]))
-      depths.push_back(depth);
-  }
-  return depths;
-}
-
-void print_summary(const FreeFieldSeries& series, const scene::Case& scene, const Options& options) {
-  using freefield::ColumnSample;
-  const bool shear = scene.motion.wave == scene::Wave::sv;
-  const auto along = shear ? &ColumnSample::vx_rate : &ColumnSample::vy_rate;
-  const auto strain = shear ? &ColumnSample::gxy : &ColumnSample::eyy;
-  const auto largest = [&](std::size_t k, double ColumnSample::*member) {
-    double value = 0.0;
-    for (const ColumnSample& sample : series.at(k))
-      value = std::max(value, std::abs(sample.*member));
-    return value;
-  };
-  std::size_t weakest = 0;
-  for (std::size_t k = 0; k < series.levels.size(); ++k)
-    if (largest(k, strain) > largest(weakest, strain))
-      weakest = k;
+void print_summary(const ColumnSummary& summary, const Options& options) {
   fmt::print("{}: model {}, {:.2f} s CPU\n  peak acceleration  surface {:.4g} m/s2, base {:.4g} m/s2\n"
-             "  largest strain     {:.3g} at {:.4g} m below the surface\n",
-             options.out, options.model, series.cpu_seconds, largest(series.levels.size() - 1, along),
-             largest(0, along), largest(weakest, strain), series.levels.back() - series.levels[weakest]);
+             "  largest strain     {:.3g} at {:.4g} m below the surface\n{}",
+             options.out, options.model, summary.cpu_seconds, summary.surface_acceleration,
+             summary.base_acceleration, summary.largest_strain, summary.strain_depth, summary.water);
+  if (!summary.report.empty())
+    fmt::print("  {:<18} {}\n", options.model, summary.report);
 }
 
 void print_linearised(const scene::Case& scene, const scene::SourceProcess& source) {
@@ -137,14 +70,25 @@ void print_linearised(const scene::Case& scene, const scene::SourceProcess& sour
     fmt::print("{}\n", note);
 }
 
+/// Backbones that have the strength given; others are warned of.
 void print_strengths(const scene::Case& scene) {
   for (const auto& [name, soil] : scene::named_soils(scene))
-    if (const auto compared = scene::implied_strength(soil))
-      fmt::print("  {}\n", *compared);
+    if (const auto compared = scene::implied_strength(soil); compared && compared->near)
+      fmt::print("  {}\n", compared->text);
+}
+
+/// What is to be said of a ground before it is computed.
+void print_ground(const ColumnGround& ground) {
+  fmt::print("{}", scene::remarks_text(ground.scene));
+  if (ground.scene.water)
+    fmt::print("{}", scene::water_text(ground.scene));
+  print_linearised(ground.scene, ground.source);
+  if (ground.scene.regions.empty()) // otherwise the remarks have said it
+    print_strengths(ground.scene);
 }
 
 void record(const Options& options) {
-  const scene::Case scene = with_model(options);
+  const scene::Case scene = with_model(options, scene::computed_model(options.model));
   const scene::Side side = side_of(options);
   print_linearised(scene, scene::source_of(scene::plan(scene), side));
   record_column(scene, side, options.record);
@@ -152,32 +96,40 @@ void record(const Options& options) {
 }
 
 void compute(const Options& options) {
-  const ColumnGround ground = ground_of(options);
-  const auto& [scene, source, x] = ground;
-  const auto depths = depths_of(scene, source, options);
-  fmt::print("{}", scene::remarks_text(scene));
-  if (scene.water)
-    fmt::print("{}", scene::water_text(scene));
-  print_linearised(scene, source);
-  const auto series =
-      free_field_series(scene, source, all_levels(scene, source, depths),
-                        column_times(ground, options.duration, options.every), x, TimeOf::soil);
-  std::vector<std::size_t> shown;
-  for (const double depth : depths) {
-    // The last of equal levels: above an interface.
-    const auto above = std::ranges::upper_bound(series.levels, source.surface - depth);
-    shown.push_back(static_cast<std::size_t>(above - series.levels.begin()) - 1);
-  }
-  const auto tables = column_tables(scene, source, series, shown);
-  results::write_tables(options.out, column_content, tables);
-  print_summary(series, scene, options);
-  if (has_pore_pressure(scene, source))
-    fmt::print("{}", water_summary(scene, source, series));
-  if (!series.report.empty())
-    fmt::print("  {:<18} {}\n", options.model, series.report);
-  if (scene.regions.empty()) // otherwise the remarks have said it
-    print_strengths(scene);
+  const ColumnGround ground = ground_of(options, scene::computed_model(options.model));
+  print_ground(ground);
+  const ColumnSummary summary = write_column(ground, options.histories, options.out);
+  print_summary(summary, options);
+  for (const std::string& warning : summary.warnings)
+    fmt::print("  warning: {}\n", warning);
   if (options.plot && run_python("column", {options.out}) != 0)
+    throw Exit{1};
+}
+
+void compute_models(const Options& options) {
+  std::vector<scene::SourceModel> models;
+  models.reserve(options.models.size());
+  for (const std::string& model : options.models) {
+    if (std::ranges::count(options.models, model) > 1)
+      throw std::runtime_error(fmt::format("--models: '{}' is named twice", model));
+    models.push_back(scene::computed_model(model));
+  }
+  make_folder(options.out);
+  bool said = false;
+  const auto found = column_models(
+      models,
+      [&](scene::SourceModel model) {
+        auto ground = ground_of(options, model);
+        if (!said && ground.scene.water)
+          fmt::print("{}", scene::water_text(ground.scene));
+        said = true;
+        print_linearised(ground.scene, ground.source);
+        return ground;
+      },
+      options.histories, options.out);
+  fmt::print("\n{}", models_text(found));
+  if (std::ranges::none_of(found, [](const ModelOfSite& one) { return one.refused.empty(); }) ||
+      run_python("site", {options.out}) != 0)
     throw Exit{1};
 }
 
@@ -187,6 +139,12 @@ void require_places(const Options& options) {
   if (!options.record.empty())
     return require_writable(options.record, inputs, has_content("free field"), "--record");
   const std::filesystem::path out = options.out;
+  if (!options.models.empty()) {
+    std::vector<OwnFile> files{{"site.json", begins_with(models_content)}};
+    for (const std::string& model : options.models)
+      files.push_back({model + ".h5", has_content(column_content)});
+    return require_writable_in(out, files, inputs);
+  }
   if (out.extension() != ".h5")
     throw std::runtime_error(
         fmt::format("--out {}: holds HDF5 tables, so its name must end with .h5", out.string()));
@@ -208,49 +166,62 @@ void add_column(Command& app) {
       ->add_option("CASE", options->scene,
                    "Case file; needs [motion], [surface], [halfspace] and [[profile]], for mpm also [mesh]")
       ->required();
-  command->add_option("--model", options->model, "Free-field model: wave, fe, ode, eql or mpm")
-      ->required()
-      ->one_of(scene::names_of_computed_models());
+  auto* model = command->add_option("--model", options->model, "Free-field model: wave, fe, ode, eql or mpm")
+                    ->one_of(scene::names_of_computed_models());
+  auto* models = command
+                     ->add_option("--models", options->models,
+                                  "Several models, separated by commas, in one report: --out is its folder")
+                     ->delimiter(',')
+                     ->one_of(scene::names_of_computed_models())
+                     ->excludes(model);
   command
       ->add_option(
           "--side", options->side,
           "left or right of a complete case: its layers and surface, at its edge of the box (default: "
           "[[profile]] under [surface], at the reference point; of a recording the left side)")
       ->one_of({"left", "right"});
-  auto* out = command->add_option("--out", options->out, "Written: HDF5 tables, see docs/output-format.md");
+  auto* out = command->add_option("--out", options->out,
+                                  "Written: OUT.h5 of --model, or the folder of --models; see "
+                                  "docs/output-format.md");
   auto* recording =
       command
           ->add_option("--record", options->record,
                        "Written: the free field of a side of a complete case, for model = \"recording\"")
-          ->excludes(out);
+          ->excludes(out)
+          ->excludes(models);
   command
-      ->add_option("--depths", options->depths,
+      ->add_option("--depths", options->histories.depths,
                    "Depths of the histories, m, separated by commas (default: surface, interfaces, base)")
       ->delimiter(',')
       ->non_negative()
       ->excludes(recording);
   command
       ->add_option(
-          "--duration", options->duration,
+          "--duration", options->histories.duration,
           "End of the histories, s (default: the end of the rest; without one that of the motion and of the "
           "column's ringing)")
       ->excludes(recording);
   command
-      ->add_option("--every", options->every,
+      ->add_option("--every", options->histories.every,
                    "Time step of the histories, s (default: a quarter of the shortest period, at most 5 ms)")
       ->excludes(recording);
   command
       ->add_flag("--plot", options->plot,
                  "Draw OUT.png beside the file, and OUT_water.png of ground with pore pressure")
-      ->excludes(recording);
+      ->excludes(recording)
+      ->excludes(models);
   command->callback([options] {
+    if (options->model.empty() && options->models.empty())
+      throw_required("--model or --models");
     if (options->out.empty() && options->record.empty())
       throw_required("--out or --record");
     require_places(*options);
-    if (options->record.empty())
+    if (!options->record.empty())
+      record(*options);
+    else if (options->models.empty())
       compute(*options);
     else
-      record(*options);
+      compute_models(*options);
   });
 }
 

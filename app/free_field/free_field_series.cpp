@@ -90,7 +90,7 @@ ColumnSample at_time(const wavefield::History& h, std::size_t i) {
 }
 
 FreeFieldSeries empty_series(std::vector<double> levels, const wavefield::TimeGrid& times) {
-  FreeFieldSeries series{std::move(levels), times, {}};
+  FreeFieldSeries series{.levels = std::move(levels), .times = times, .samples = {}};
   series.samples.resize(series.levels.size() * times.count);
   return series;
 }
@@ -126,9 +126,10 @@ FreeFieldSeries free_field_series(const scene::Case& given, const scene::SourceP
     synthesise(wavefield::field_from_case(scene, source), x_line, wavefield::Part::total, series);
     break;
   case scene::SourceModel::eql: {
-    const auto result = wavefield::equivalent_linear_from_case(scene, source);
-    series.report = wavefield::summary(result);
-    synthesise(wavefield::field_from_case(scene, source, result), x_line, wavefield::Part::total, series);
+    series.equivalent_linear = wavefield::equivalent_linear_from_case(scene, source);
+    series.report = wavefield::summary(*series.equivalent_linear);
+    synthesise(wavefield::field_from_case(scene, source, *series.equivalent_linear), x_line,
+               wavefield::Part::total, series);
     break;
   }
   case scene::SourceModel::fe:

@@ -3,9 +3,11 @@
 #include "freefield/column.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
+#include "wavefield/layers/equivalent_linear.hpp"
 #include "wavefield/signal/history.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +21,7 @@ struct FreeFieldSeries {
   std::vector<freefield::ColumnSample> samples; ///< [level][time]
   double cpu_seconds = 0.0;                     ///< that computing it took
   std::string report;                           ///< what integrator or iteration did, in words; may be empty
+  std::optional<wavefield::EquivalentLinearResult> equivalent_linear; ///< of model eql
 
   std::span<const freefield::ColumnSample> at(std::size_t level) const {
     return std::span(samples).subspan(level * times.count, times.count);

@@ -1,5 +1,6 @@
 #include "app/free_field/water_tables.hpp"
 
+#include "motion/record.hpp"
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 
@@ -15,8 +16,9 @@ using freefield::ColumnSample;
 
 constexpr std::size_t most_rows_in_time = 600;
 
+/// A case without a gravity stage has weight all the same where stress is compared with that of the ground.
 double gravity(const scene::Case& scene) {
-  return scene.gravity ? scene.gravity->acceleration : 0.0;
+  return scene.gravity ? scene.gravity->acceleration : motion::standard_gravity;
 }
 
 /// Levels once, from the base up: at an interface the one above.
@@ -101,14 +103,16 @@ bool has_pore_pressure(const scene::Case& scene, const scene::SourceProcess& sou
 double initial_effective_stress(const scene::Case& scene, const scene::SourceProcess& source, double y) {
   const double g = gravity(scene);
   double top = source.surface;
-  const scene::GroundWater water = water_of(scene, source);
-  double stress = water.pressure(source.surface, g);
+  const auto water_pressure = [&](double at) {
+    return scene.water ? water_of(scene, source).pressure(at, g) : 0.0;
+  };
+  double stress = water_pressure(source.surface);
   for (const scene::Layer& layer : scene::layers(scene, source)) {
     const double bottom = std::max(top - layer.thickness, y);
     stress += layer.elastic.density * g * std::max(top - bottom, 0.0);
     top -= layer.thickness;
   }
-  return stress - water.pressure(y, g);
+  return stress - water_pressure(y);
 }
 
 void add_water(const scene::Case& scene, const scene::SourceProcess& source, const FreeFieldSeries& series,

@@ -12,7 +12,8 @@ namespace tremolo::app {
 /// Whether a free field has soil below the water table and a model that computes its pore pressure.
 bool has_pore_pressure(const scene::Case& scene, const scene::SourceProcess& source);
 
-/// Vertical effective stress before shaking at a level, compression positive, Pa.
+/// Vertical effective stress before shaking at a level, compression positive, Pa: the weight of what lies
+/// above less the pressure of water at rest.
 double initial_effective_stress(const scene::Case& scene, const scene::SourceProcess& source, double y);
 
 /// Columns of a history that only wet ground has: excess pore pressure, its ratio r_u to the initial

@@ -52,6 +52,7 @@ std::string motion_report(const motion::Record& record, const std::string& name)
   add("PGV", m.pgv, "m/s");
   add("PGD", m.pgd, "m");
   add("Arias intensity", m.arias, "m/s");
+  add("duration D5-75", m.duration_5_75, "s");
   add("duration D5-95", m.significant_duration, "s");
   add("CAV", m.cav, "m/s");
   add("mean period", m.mean_period, "s");

@@ -77,6 +77,7 @@ Json settings(const scene::Study& study) {
   Json json = {{"failure_strain", study.failure_strain},
                {"intensity", scene::name(study.intensity)},
                {"colour", study.colour},
+               {"draw", study.draw},
                {"spectral_ratio", nullptr}};
   if (const auto& ratio = study.spectral_ratio)
     json["spectral_ratio"] = {{"of", ratio->of}, {"over", ratio->over}, {"periods", ratio->periods}};

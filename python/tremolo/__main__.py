@@ -1,5 +1,6 @@
 """Commands: python3 -m tremolo plot RUN | timeline RUN | compare RUN_A RUN_B | report RUN ... | watch RUN | extract RUN
-| failure RUN ... | column OUT.h5 | soiltest OUT.h5 | sweep-runs FOLDER | safety-picture FOLDER | verify-picture PATH
+| failure RUN ... | column OUT.h5 | site FOLDER
+| soiltest OUT.h5 | sweep-runs FOLDER | safety-picture FOLDER | verify-picture PATH
 | motion-picture FOLDER OUT | deconvolution-picture FOLDER OUT."""
 
 import argparse
@@ -7,13 +8,16 @@ import json
 import sys
 from pathlib import Path
 
-from tremolo import (bodies, column, comparison, cost, deconvolution, drift, failure, histories, motion, outputs,
-                     pore_pressure, swap, timeline, verification)
+from tremolo import (bodies, column, comparison, cost, deconvolution, drift, failure, figures, histories, motion, outputs,
+                     pore_pressure, style, swap, timeline, verification)
 from tremolo.pictures import fronts, maps, mechanism, preview, stages
 from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
-from tremolo.report import page, watch
+from tremolo.report import kinds, page, watch
 from tremolo.run import Run
+from tremolo.site import pictures as site_pictures
+from tremolo.site import tables as site_tables
+from tremolo.site.read import Site
 from tremolo.sweep import command as sweep_command
 
 
@@ -43,6 +47,11 @@ def _require_frames(run):
 
 def plot(arguments):
     """Yields the path of every picture as it is written."""
+    if kinds.kind_of(arguments.run) != "run":
+        if arguments.time:
+            raise ValueError(f"{arguments.run}: a study has no frames, to which --time belongs")
+        yield from figures.write(arguments.run, arguments.out)
+        return
     run = Run(arguments.run)
     _require_frames(run)
     folder = _folder(arguments.out, run)
@@ -77,18 +86,38 @@ def waits(arguments):
     yield timeline.picture(run, _folder(arguments.out, run))
 
 
-def compare(arguments):
-    runs = [Run(arguments.run), Run(arguments.other)]
-    for run in runs:
-        _require_frames(run)
-    folder = _folder(arguments.out, runs[0])
+def _compare_maps(runs, arguments, folder):
     times = _times(arguments, runs[0])
-    yield from comparison.lines(*runs)
     yield maps.acceleration(runs, times, folder, "compare_acceleration.png")
     if all(run.has_field("equivalent_plastic_strain") for run in runs):
         yield maps.shear_bands(runs, times, folder, "compare_shear_bands.png")
     if all(run.has_field("pore_pressure_ratio") for run in runs):
         yield maps.pore_pressure_ratio(runs, times, folder, "compare_pore_pressure_ratio.png")
+
+
+def compare(arguments):
+    """Numbers, histories and spectra at common monitors; of two runs also maps, of two free fields alone all that is drawn of a
+    site."""
+    paths = [arguments.run, arguments.other]
+    found = [kinds.kind_of(path) for path in paths]
+    for path, kind in zip(paths, found):
+        if kind not in ("run", "column"):
+            raise ValueError(f"{path}: is a study; runs and free fields alone are compared, and `tremolo report` sets studies side by side")
+    runs = [Run(path) for path in paths]
+    for run, kind in zip(runs, found):
+        if kind == "run":
+            _require_frames(run)
+    if arguments.time and found != ["run", "run"]:
+        raise ValueError("--time belongs to the frames of two runs")
+    folder = _folder(arguments.out, runs[0])
+    yield from comparison.lines(*runs)
+    if drawn := histories.compared(runs, folder):
+        yield drawn
+    if found == ["run", "run"]:
+        yield from _compare_maps(runs, arguments, folder)
+    if found == ["column", "column"]:
+        for name, figure in site_pictures.of_site(Site.of_files(paths)).items():
+            yield style.save(figure, folder, f"compare_{name}.png" if name != "histories" else "compare_surface.png")
 
 
 def report(arguments):
@@ -100,7 +129,16 @@ def follow(arguments):
 
 
 def extract(arguments):
+    kind = kinds.kind_of(arguments.run)
+    if kind not in ("run", "column", "site"):
+        raise ValueError(f"{arguments.run}: this study has its tables beside it already; histories are extracted from runs and free fields")
+    if kind == "site":
+        site = Site(arguments.run)
+        yield from site_tables.write(site, outputs.made_folder(arguments.out or Path(arguments.run) / "tables"))
+        return
     yield from extract_command.carry_out(arguments)
+    if kind == "column":
+        yield from site_tables.write(Site.of_files([arguments.run]), Path(arguments.out or Path(arguments.run).parent / "tables"))
 
 
 def point(text):
@@ -140,6 +178,14 @@ def column_picture(arguments):
     yield column.picture(arguments.path)
     if wet := pore_pressure.picture(arguments.path):
         yield wet
+
+
+def site_response(arguments):
+    """Yields the path of every table and picture, then that of the report."""
+    folder = Path(arguments.path)
+    yield from site_tables.write(Site(folder), outputs.made_folder(folder / "tables"))
+    yield from figures.write(folder)
+    yield page.write([folder])
 
 
 def soiltest_picture(arguments):
@@ -198,6 +244,9 @@ def _option(action):
     }
 
 
+RUN_OR_STUDY = "folder of a run, or its run.h5; or what soiltest, column, swap, cost or sweep wrote"
+
+
 def _parser():
     parser = argparse.ArgumentParser(prog="tremolo", description="Pictures of tremolo runs.")
     commands = parser.add_subparsers(required=True)
@@ -211,18 +260,19 @@ def _parser():
         command.add_argument("--out", metavar="DIR", help="folder of the pictures (default: pictures/ beside the run)")
         command.add_argument("--time", type=float, nargs="+", metavar="T", help="times of the contour pictures, s")
 
-    single = add("plot", plot, "Model preview, contours of acceleration, shear bands and r_u, histories, energy, wave fronts.")
-    single.add_argument("run", help="folder of the run, or its run.h5")
+    single = add("plot", plot, "Model preview, contours of acceleration, shear bands and r_u, histories, energy, wave fronts; or the "
+                 "pictures of a study.")
+    single.add_argument("run", help=RUN_OR_STUDY)
     add_picture_options(single)
     waited = add("timeline", waits, "What the processes of a run did when, drawn and in words: who waited for whom.")
     waited.add_argument("run", help="folder of the run, or its run.h5")
     waited.add_argument("--out", metavar="DIR", help="folder of the picture (default: pictures/ beside the run)")
-    pair = add("compare", compare, "Contours of two runs side by side at the same times.")
-    pair.add_argument("run", help="folder of a run, or its run.h5")
-    pair.add_argument("other", help="the run to set beside it")
+    pair = add("compare", compare, "Peaks, histories and spectra of two runs at common monitors, contours at the same times.")
+    pair.add_argument("run", help="folder of a run, or its run.h5; or OUT.h5 of `tremolo column`")
+    pair.add_argument("other", help="what to set beside it, likewise")
     add_picture_options(pair)
     command = add("report", report, "One HTML file of a run, of several side by side, or of studies: frames that play, charts that zoom.")
-    command.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run, or its run.h5; or what soiltest, column, swap, cost or sweep wrote")
+    command.add_argument("runs", nargs="+", metavar="RUN", help=RUN_OR_STUDY)
     command.add_argument("--out", metavar="FILE",
                       help="the page (default: report.html beside the run or in the study's folder; of several runs, comparison.html; "
                       "of OUT.h5, OUT.html)")
@@ -230,7 +280,7 @@ def _parser():
     live.add_argument("run", help="folder of the run, or its run.h5")
     live.add_argument("--port", type=_port, default=0, help="of the loopback address (default: a free one)")
     taken = add("extract", extract, "Tables of a run: histories, profiles along lines, spectral ratios, Newmark's displacement.")
-    taken.add_argument("run", help="folder of the run, or its run.h5")
+    taken.add_argument("run", help="folder of the run, or its run.h5; or what `tremolo column` wrote")
     taken.add_argument("--point", action="append", metavar="POINT",
                        help="whose history is written: the name of a monitor, LINE#NUMBER, or X,Y for the soil that began there, "
                        "through the frames where no history is stored (--point=X,Y where X is negative); may be repeated (default: "
@@ -251,6 +301,8 @@ def _parser():
     failed.add_argument("--to", type=point, metavar="X,Y", help="the other end (default: the ground behind the crest)")
     alone = add("column", column_picture, "Picture of a free field alone: OUT.png beside OUT.h5.")
     alone.add_argument("path", help="the file that `tremolo column` wrote")
+    compared = add("site", site_response, "Tables, pictures and the report of a site under several models.")
+    compared.add_argument("path", help="the folder that `tremolo column --models` wrote")
     tested = add("soiltest", soiltest_picture, "Picture of a soil test: OUT.png beside OUT.h5.")
     tested.add_argument("path", help="the file that `tremolo soiltest` wrote")
     tested.add_argument("--over", metavar="REF.csv", help="a curve to lie below: columns of a history")

@@ -2,18 +2,13 @@
 
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from tremolo import style
+from tremolo.run import Run
 
 SHEAR = {"acceleration": "ax", "strain": "gxy", "stress": "sxy"}
 DILATION = {"acceleration": "ay", "strain": "eyy", "stress": "syy"}
-
-
-def table(group):
-    """Columns of a table by name."""
-    return {name: group[name][()] for name in group if isinstance(group[name], h5py.Dataset)}
 
 
 def components(histories):
@@ -22,11 +17,16 @@ def components(histories):
     return SHEAR if peaks[0] >= peaks[1] else DILATION
 
 
+def histories(run):
+    """Levels (m) of the histories, and of each its columns by name, in the order in which they were asked for."""
+    levels = run.table("levels")
+    return levels["y"], [dict(run.monitor(name)) for name in levels["name"]]
+
+
 def read(path):
-    with h5py.File(path, "r") as file:
-        levels = file["levels/y"][()]
-        histories = [table(file[f"histories/{number:03}"]) for number in range(len(levels))]
-        return levels, histories, table(file["profile"]), table(file["spectra"]), table(file["transfer"])
+    """Levels, histories, profile, spectra and transfer functions."""
+    with Run(path) as run:
+        return *histories(run), *(run.table(name) for name in ("profile", "spectra", "transfer"))
 
 
 def known(values):
@@ -70,7 +70,7 @@ def draw(path):
     draw_profile(axes["pv"], profile, "peak_v" + direction, "peak velocity (m/s)")
     draw_profile(axes["pu"], profile, "peak_u" + direction, "peak displacement (cm)", 100.0)
     draw_profile(axes["pg"], profile, "peak_" + names["strain"], "peak strain (%)", 100.0)
-    draw_profile(axes["ratio"], profile, "stress_ratio", "peak shear / overburden")
+    draw_profile(axes["ratio"], profile, "stress_ratio", "peak shear / effective stress")
     axes["pa"].set_ylabel("depth (m)")
 
     for name in ("surface", "outcrop"):

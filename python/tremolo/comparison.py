@@ -31,7 +31,7 @@ def lines(first, second):
     end = min(ends)
     if max(ends) - end > 0.01 * end:
         yield f"until {end:.4g} s, where the shorter run ends:"
-    yield f"{'monitor':<16}{'peak of':<12}{str(first.path.parent)[-20:]:>22}{str(second.path.parent)[-20:]:>22}{'ratio':>9}{'difference':>12}"
+    yield f"{'monitor':<16}{'peak of':<12}{first.name[-20:]:>22}{second.name[-20:]:>22}{'ratio':>9}{'difference':>12}"
     for name in common:
         one, other = first.monitor(name), second.monitor(name)
         for quantity, unit in QUANTITIES:

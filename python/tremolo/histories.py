@@ -6,6 +6,7 @@ from tremolo import style
 from tremolo.response_spectrum import response_spectrum
 
 PERIODS = np.geomspace(0.05, 4.0, 80)  # s
+TICKS = [0.05, 0.1, 0.2, 0.5, 1, 2, 4]  # s
 
 
 def even_steps(time, values):
@@ -42,10 +43,42 @@ def monitor(run, name, folder):
         axes["s"].semilogx(PERIODS[shown], response_spectrum(acceleration, dt, PERIODS[shown]), label=text)
     axes["s"].set(xlabel="period (s)", ylabel="spectral acceleration, 5 % damping (m/s²)", ylim=(0, None))
     axes["s"].set_xlim(PERIODS[0], PERIODS[-1])
-    axes["s"].set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 4], ["0.05", "0.1", "0.2", "0.5", "1", "2", "4"])
+    axes["s"].set_xticks(TICKS, [f"{tick:g}" for tick in TICKS])
     axes["s"].minorticks_off()
     figure.suptitle(f"{name}, starting at x = {series['x'][0]:.2f} m, y = {series['y'][0]:.2f} m", fontsize=10)
     return style.save(figure, folder, f"monitor_{name}.png")
+
+
+def common_monitors(runs):
+    """Names of the monitors of all runs that have a history."""
+    return [name for name in runs[0].monitors if all(name in run.monitors and len(run.monitor(name)) > 1 for run in runs)]
+
+
+def compared(runs, folder):
+    """Acceleration and response spectrum at the common monitors, a line a run: compare_histories.png. Of each monitor the
+    direction in which the first run moves more. None where no monitor is common."""
+    names = common_monitors(runs)
+    if not names:
+        return None
+    figure, axes = style.plt.subplots(len(names), 2, figsize=(10.0, 0.8 + 2.2 * len(names)), squeeze=False, layout="constrained",
+                                      width_ratios=[1.8, 1.0])
+    for (history, spectrum), name in zip(axes, names):
+        first = runs[0].monitor(name)
+        direction = max("xy", key=lambda one: np.abs(first["a" + one]).max())
+        for number, run in enumerate(runs):
+            series, line = run.monitor(name), "-" if number == 0 else "--"
+            history.plot(series["time"], series["a" + direction], line, linewidth=0.8, label=run.name)
+            acceleration, dt = even_steps(series["time"], series["a" + direction])
+            shown = PERIODS >= 2.0 * dt
+            spectrum.semilogx(PERIODS[shown], response_spectrum(acceleration, dt, PERIODS[shown]), line, label=run.name)
+        history.set(title=name, ylabel=f"$a_{direction}$ (m/s²)")
+        spectrum.set(title=name, ylabel="5 % spectrum (m/s²)", ylim=(0, None), xlim=(PERIODS[0], PERIODS[-1]))
+        spectrum.set_xticks(TICKS, [f"{tick:g}" for tick in TICKS])
+        spectrum.minorticks_off()
+    axes[0][0].legend()
+    axes[-1][0].set_xlabel("t (s)")
+    axes[-1][1].set_xlabel("period (s)")
+    return style.save(figure, folder, "compare_histories.png")
 
 
 def energy(run, folder):

@@ -7,11 +7,11 @@ compression.
 from pathlib import Path
 from typing import NamedTuple
 
-import h5py
 import numpy as np
 
 from tremolo import style
-from tremolo.column import table
+from tremolo.column import histories
+from tremolo.run import Run
 
 
 class Trace(NamedTuple):
@@ -48,12 +48,9 @@ def draw_settlement(ax, time, settlement):
 
 def read(path):
     """(levels, histories, water, settlement, initial); None where the ground has no pore pressure."""
-    with h5py.File(path, "r") as file:
-        if "water" not in file:
-            return None
-        levels = file["levels/y"][()]
-        histories = [table(file[f"histories/{number:03}"]) for number in range(len(levels))]
-        return levels, histories, table(file["water"]), table(file["settlement"]), table(file["initial"])
+    with Run(path) as run:
+        water = run.table("water")
+        return None if water is None else (*histories(run), water, run.table("settlement"), run.table("initial"))
 
 
 def over_depth_and_time(water):

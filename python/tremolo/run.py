@@ -1,13 +1,17 @@
-"""A run file (docs/output-format.md) as numpy arrays.
+"""A run as numpy arrays: `run.h5` (docs/output-format.md), or what `tremolo column` wrote, which has the same form.
 
-    run = Run("out")                      # the folder, or run.h5 itself
-    run.times                             # s, of the particle frames
+    from tremolo import Run
+
+    run = Run("out")                      # the folder, or run.h5 itself, or OUT.h5 of `tremolo column`
+    print(run)                            # what there is
+    run.times                             # s, of the particle frames; none in a free field alone
     run.frame(10)["velocity"]             # [particles, 2], m/s
-    run.monitor("toe")["ax"]              # m/s2 at run.monitor("toe")["time"]
-    run.line("shaft")[3]["gxy"]           # of the fourth point of a line
-    run.body("tunnel")["water_y"]         # N/m at run.body("tunnel")["time"]
+    run.monitor("toe")["ax"]              # m/s2 at run.monitor("toe").time
+    run.line("shaft").values("gxy")       # [times, points], at run.line("shaft").coordinates
+    run.body("tunnel")["water_y"]         # N/m at run.body("tunnel").time
+    run.table("profile")["peak_gxy"]      # of a free field alone, at run.table("profile")["y"]
 
-All values are SI units; tension is positive; x points right, y up.
+All values are SI units; tension is positive; x points right, y up. `Series` says what one can do with a history.
 """
 
 import contextlib
@@ -27,12 +31,12 @@ class DamagedRun(ValueError):
     """A run file that cannot be read as what it should hold; says which part of which file."""
 
 
-def _text(value):
-    """Strings of fixed length arrive as bytes."""
+def text(value):
+    """An attribute or a dataset of HDF5 in Python's own types: strings of fixed length arrive as bytes."""
     if isinstance(value, bytes):
         return value.rstrip(b"\0").decode("utf-8")
     if isinstance(value, np.ndarray) and value.dtype.kind == "S":
-        return [_text(bytes(item)) for item in value]
+        return [text(bytes(item)) for item in value]
     if isinstance(value, np.generic):
         return value.item()
     return value
@@ -46,16 +50,29 @@ class Fields(dict):
 
 
 class Series:
-    """A time series: columns by name, units by column. `dict(series)` holds all columns."""
+    """A history: columns by name, units by column, one row a time.
+
+        toe = run.monitor("toe")
+        toe["ax"]                       # m/s2, at toe["time"] or toe.time
+        toe.units["ax"]                 # "m/s2"
+        dict(toe)                       # all columns
+        toe.between(5.0, 10.0)["ax"]    # a part of it
+        toe.to_frame()                  # as a pandas DataFrame over the time
+
+    The first column is the time (s).
+    """
 
     def __init__(self, dataset):
-        self.columns = _text(dataset.attrs["columns"])
-        self.units = dict(zip(self.columns, _text(dataset.attrs["units"])))
+        columns = text(dataset.attrs["columns"])
         rows = dataset[()]
         # A writer that died while it flushed may have declared rows whose values never arrived.
-        self._rows = rows[: np.count_nonzero(~np.isnan(rows[:, 0]))]
+        self._fill(columns, dict(zip(columns, text(dataset.attrs["units"]))), rows[: np.count_nonzero(~np.isnan(rows[:, 0]))])
+
+    def _fill(self, columns, units, rows):
+        self.columns, self.units, self._rows = columns, units, rows
 
     def keys(self):
+        """Names of the columns."""
         return list(self.columns)
 
     def __iter__(self):
@@ -69,21 +86,73 @@ class Series:
     def __len__(self):
         return len(self._rows)
 
+    def __repr__(self):
+        span = f", {self.time[0]:g} to {self.time[-1]:g} s" if len(self) else ""
+        return f"<{type(self).__name__}: {len(self)} rows{span}; {', '.join(f'{c} ({self.units[c]})' for c in self.columns)}>"
+
+    @property
+    def time(self):
+        """s, of the rows."""
+        return self._rows[:, 0]
+
+    def between(self, begin, end):
+        """The rows from one time to another (s), both included, as a series."""
+        part = Series.__new__(Series)
+        part._fill(self.columns, self.units, self._rows[(self.time >= begin) & (self.time <= end)])
+        return part
+
+    def to_frame(self):
+        """A pandas DataFrame with the time (s) for its index; its `attrs` hold the units by column.
+
+        Raises ImportError that says what is missing where pandas is not installed.
+        """
+        try:
+            import pandas
+        except ImportError as error:
+            raise ImportError("Series.to_frame() needs pandas, the Debian package python3-pandas; without it dict(series) has the "
+                              "columns as arrays") from error
+        frame = pandas.DataFrame(self._rows[:, 1:], index=pandas.Index(self.time, name=self.columns[0]), columns=self.columns[1:])
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
 
 class LinePoint(Series):
     """A point of a line, as a series of its own."""
 
     def __init__(self, line, number):
         own = [name for name in line.columns if name == "time" or name == name.rstrip("0123456789") + str(number)]
-        self.columns = [name.rstrip("0123456789") for name in own]
-        self.units = {column: line.units[name] for column, name in zip(self.columns, own)}
-        self._rows = line._rows[:, [line.columns.index(name) for name in own]]
+        columns = [name.rstrip("0123456789") for name in own]
+        self._fill(columns, {column: line.units[name] for column, name in zip(columns, own)},
+                   line._rows[:, [line.columns.index(name) for name in own]])
+
+
+class Line(list):
+    """The points of a line from one end to the other, each a series; and columns of all of them with their coordinates.
+
+        shaft = run.line("shaft")
+        shaft[3]["gxy"]                     # of the fourth point
+        shaft.values("gxy")                 # [times, points]
+        shaft.coordinates                   # {"time": [times], "distance": [points], "x": [points], "y": [points]}
+        np.abs(shaft.values("gxy")).max(axis=0)    # the profile of peaks, at shaft.coordinates["y"]
+    """
+
+    @property
+    def coordinates(self):
+        """time (s); distance along the line from its first point, and place before the shaking (m)."""
+        if not self or not len(self[0]):
+            return {name: np.zeros(0) for name in ("time", "distance", "x", "y")}
+        x, y = (np.array([point[c][0] - point["u" + c][0] for point in self]) for c in "xy")
+        return {"time": self[0].time, "distance": np.hypot(x - x[0], y - y[0]), "x": x, "y": y}
+
+    def values(self, column):
+        """A column of all points, [times, points]."""
+        return np.column_stack([point[column] for point in self])
 
 
 def points_of(line):
     """The points of a line's series, whose columns are x0, y0, ..., x1, y1, ..."""
     count = sum(name.rstrip("0123456789") == "ux" for name in line.columns)
-    return [LinePoint(line, number) for number in range(count)]
+    return Line(LinePoint(line, number) for number in range(count))
 
 
 class SlidingMass(Series):
@@ -143,7 +212,18 @@ class Body(Series):
 
 
 class Run:
-    """Reads one run, complete or not."""
+    """One run, complete or not, or one free field alone.
+
+        with Run("out") as run:
+            crest = run.monitor("crest")
+            crest["ax"].max(), crest.units["ax"]
+            last = run.frame(-1)
+            last["position"][last["equivalent_plastic_strain"] > 0.1]      # m, where soil has failed
+            run.nearest_frame(9.3)                                         # the number of a frame by its time (s)
+
+    Names: `monitors`, `lines`, `sliding_masses`, `bodies`. What a run does not have is None, an empty list, or a KeyError that
+    names what there is.
+    """
 
     def __init__(self, path):
         path = Path(path)
@@ -172,6 +252,7 @@ class Run:
             raise DamagedRun(f"{self.path}: cannot read {what}, the file is damaged or is being written: {error}") from error
 
     def close(self):
+        """Closes the file; `with Run(...) as run` does so at its end."""
         self._file.close()
 
     def __enter__(self):
@@ -180,14 +261,27 @@ class Run:
     def __exit__(self, *_):
         self.close()
 
+    def __repr__(self):
+        frames = f"{len(self.times)} frames, {self.times[0]:g} to {self.times[-1]:g} s" if len(self.times) else "no frames"
+        named = ((kind, getattr(self, kind)) for kind in ("monitors", "lines", "sliding_masses", "bodies"))
+        held = "".join(f"; {kind.replace('_', ' ')}: {', '.join(names)}" for kind, names in named if names)
+        return f"<Run {self.path}: '{self.title}', {self.status}; {frames}{held}>"
+
     def attribute(self, name, default=None):
         """An attribute of the root, e.g. mesh_size (m), angle_deg, box, soil_names."""
         with self._reading(f"the attribute {name}"):
-            return _text(self._file.attrs[name]) if name in self._file.attrs else default
+            return text(self._file.attrs[name]) if name in self._file.attrs else default
 
     @property
     def title(self):
+        """Of the case."""
         return self.attribute("title", "")
+
+    @property
+    def name(self):
+        """What tells it from others: the name of the folder of a run.h5, that of another file without .h5."""
+        path = self.path.resolve()
+        return path.parent.name if path.name == "run.h5" else path.stem
 
     @property
     def status(self):
@@ -198,13 +292,13 @@ class Run:
     def case(self):
         """The text of the case file."""
         with self._reading("the case"):
-            return _text(self._file["case"][()])
+            return text(self._file["case"][()])
 
     @property
     def plan(self):
         """The plan of effects: what `tremolo explain --json` calls `plan`; empty where the run holds none."""
         with self._reading("the plan"):
-            return json.loads(_text(self._file["plan"][()])) if "plan" in self._file else {}
+            return json.loads(text(self._file["plan"][()])) if "plan" in self._file else {}
 
     def _frame_name(self, index):
         """The name of a frame in the file. Raises TypeError and IndexError that say which frames there are."""
@@ -237,6 +331,7 @@ class Run:
             return frame[name][()]
 
     def has_field(self, name):
+        """Whether the frames hold a field."""
         with self._reading("frame 0"):
             return bool(self._frames) and name in self._file["frames"][self._frames[0]]
 
@@ -334,7 +429,7 @@ class Run:
             whole = int(np.count_nonzero(~np.isnan(arrays["time"])))
             for name in ("time", "free_field_velocity", "domain_velocity", "traction"):
                 arrays[name] = arrays[name][:whole]
-            arrays["source"] = _text(group.attrs["source"])
+            arrays["source"] = text(group.attrs["source"])
             return arrays
 
     def table(self, name):
@@ -343,4 +438,4 @@ class Run:
             if name not in self._file:
                 return None
             group = self._file[name]
-            return {column: _text(group[column][()]) for column in _text(group.attrs["columns"])}
+            return {column: text(group[column][()]) for column in text(group.attrs["columns"])}

@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 
 from tremolo import style
-from tremolo.run import _text
+from tremolo.run import text
 
 
 def load(path):
@@ -18,7 +18,7 @@ def load(path):
     tables = {}
     with h5py.File(path.with_suffix(".h5"), "r") as file:
         file.visititems(
-            lambda name, group: tables.update({name: {c: _text(group[c][()]) for c in _text(group.attrs["columns"])}})
+            lambda name, group: tables.update({name: {c: text(group[c][()]) for c in text(group.attrs["columns"])}})
             if "columns" in group.attrs
             else None
         )

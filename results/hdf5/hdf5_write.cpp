@@ -261,6 +261,13 @@ Handle open_for_writing(const std::filesystem::path& file) {
           H5Fclose};
 }
 
+Handle open_for_virtual_datasets(const std::filesystem::path& file) {
+  prepare_hdf5();
+  const Handle properties = access_properties();
+  H5Pset_libver_bounds(properties.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V110);
+  return {checked(H5Fopen(file.c_str(), H5F_ACC_RDWR, properties.get()), file, "open the file"), H5Fclose};
+}
+
 Handle create_file(const std::filesystem::path& file) {
   return created(file, file);
 }

@@ -105,6 +105,11 @@ Table study_measures() {
                       "what the others are compared with.",
            .otherwise = "`motion.angle_deg`, or else the first array of more than one value that is not "
                         "`motion.file`"},
+          {.name = "draw",
+           .type = Type::texts,
+           .meaning = "Measures that the pictures show, by their names in `sweep.csv`, such as "
+                      "`\"crest.final_displacement_m\"`.",
+           .otherwise = "six at most of those that are not the same in all runs"},
       }};
 }
 

@@ -211,6 +211,7 @@ void read_measures(Document& document, Findings& findings, Study& study) {
   study.failure_strain = measures.number("failure_strain");
   study.intensity = measures.choice<Intensity>("intensity");
   study.colour = colour_of(study, measures, findings);
+  study.draw = measures.texts("draw");
   const auto ratio = document.table("measures.spectral_ratio");
   if (document.has("measures.spectral_ratio"))
     study.spectral_ratio = {ratio.text("of"), ratio.text("over"), ratio.numbers("periods"),

@@ -53,7 +53,7 @@ std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::s
   return parameters;
 }
 
-std::optional<std::string> implied_strength(const Soil& soil) {
+std::optional<ImpliedStrength> implied_strength(const Soil& soil) {
   constexpr double strain = 0.1;
   constexpr double tolerance = 0.1; // of the strength
   const auto backbone = materials::shear_backbone(soil.column_law);
@@ -61,11 +61,13 @@ std::optional<std::string> implied_strength(const Soil& soil) {
     return std::nullopt;
   const double ratio = backbone->stress(strain) / *soil.given_strength;
   const bool near = ratio >= 1.0 - tolerance && ratio <= 1.0 + tolerance;
-  return fmt::format(
-      "soil '{}': at {:.0f} % shear strain its backbone has {:.4g} kPa, {:.2f} times the strength given, "
-      "{:.4g} kPa{}",
-      soil.name, 100.0 * strain, 1e-3 * backbone->stress(strain), ratio, 1e-3 * *soil.given_strength,
-      near || backbone->shape ? "" : "; model = \"gqh\" keeps to the strength");
+  return ImpliedStrength{
+      fmt::format(
+          "soil '{}': at {:.0f} % shear strain its backbone has {:.4g} kPa, {:.2f} times the strength given, "
+          "{:.4g} kPa{}",
+          soil.name, 100.0 * strain, 1e-3 * backbone->stress(strain), ratio, 1e-3 * *soil.given_strength,
+          near || backbone->shape ? "" : "; model = \"gqh\" keeps to the strength"),
+      near};
 }
 
 std::string text(const std::vector<ParameterInForce>& parameters) {

@@ -33,8 +33,14 @@ std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::s
 /// The parameters as lines of text.
 std::string text(const std::vector<ParameterInForce>& parameters);
 
+/// The strength that a backbone implies against the one that the case gives.
+struct ImpliedStrength {
+  std::string text;  ///< in words
+  bool near = false; ///< within a tenth
+};
+
 /// What the backbone of hysteretic soil has at 10 % shear strain, the strength that it implies, against the
 /// strength that the case gives. Nothing for other soils, and where no strength is given.
-std::optional<std::string> implied_strength(const Soil& soil);
+std::optional<ImpliedStrength> implied_strength(const Soil& soil);
 
 } // namespace tremolo::scene

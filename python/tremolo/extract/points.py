@@ -104,7 +104,7 @@ def find(run, text):
     if place is None:
         raise ValueError(f"{run.path}: stores no point '{text}'; it has {_names(run) or 'none'}. A place is written X,Y")
     point, distance = _stored_at(known, place)
-    if distance > NEAR * run.attribute("mesh_size"):
+    if distance > NEAR * run.attribute("mesh_size", 0.0):  # a free field alone has no cells
         return _followed(run, text, place)
     where = f"'{point.name}', which began at {point.start[0]:g},{point.start[1]:g}, {distance:.3g} m away"
     return point, f"{text}: the nearest point stored is {where}"

@@ -13,7 +13,6 @@ from tremolo.histories import PERIODS, even_steps
 from tremolo.report import spectra
 from tremolo.response_spectrum import response_spectrum
 
-LOWEST_SHARE = 1.0 / 50.0
 STILL = 1e-2
 
 
@@ -36,12 +35,8 @@ def _table(axis, over, records, spectrum):
     """A column a direction of the ratio of spectra."""
     table = {}
     for direction in ("x", "y"):
-        ratio = np.full(len(over), np.nan)
-        if direction in records:
-            one, other = (spectrum(record) for record in records[direction])
-            known = other >= LOWEST_SHARE * other.max()
-            ratio[known] = one[known] / other[known]
-        table[f"{axis}_{direction}"] = ratio
+        known = direction in records
+        table[f"{axis}_{direction}"] = spectra.ratio(*map(spectrum, records[direction])) if known else np.full(len(over), np.nan)
     return table
 
 

@@ -1,4 +1,4 @@
-"""Tables as comma-separated files: a heading with the unit at the end of each name, then numbers; empty where there is none."""
+"""Tables as comma-separated files: a heading with the unit at the end of each name, then numbers, or names; empty where there is none."""
 
 import csv
 
@@ -13,11 +13,11 @@ def file_name(*words):
 
 
 def write(path, table):
-    """table: name -> array, all of one length. Returns the path."""
+    """table: name -> numbers or texts, all of one length. Returns the path."""
     first = next(iter(table)) + ","  # the columns behind it depend on what is asked for
     with open(outputs.writable(path, beginning=first), "w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream)
         writer.writerow(table)
         for row in zip(*table.values()):
-            writer.writerow(["" if np.isnan(value) else f"{value:.9g}" for value in row])
+            writer.writerow([value if isinstance(value, str) else "" if np.isnan(value) else f"{value:.9g}" for value in row])
     return path

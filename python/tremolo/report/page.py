@@ -28,7 +28,7 @@ def require_libraries():
 
 def _titles(runs):
     """The folders' names, and whole paths where these are alike."""
-    names = [run.path.resolve().parent.name for run in runs]
+    names = [run.name for run in runs]
     return names if len(set(names)) == len(names) else [str(run.path.parent) for run in runs]
 
 
@@ -123,12 +123,13 @@ def _rendered(template, figures, **parts):
 class Report:
     """The report of one run, or of several side by side.
 
-    paths: folders of runs, or their run.h5.
+    paths: folders of runs, or their run.h5; studies: what stands below them (_studies()).
     Raises ValueError for what is not a run, for a run without frames, and where Jinja2 or Plotly is missing.
     """
 
-    def __init__(self, paths):
+    def __init__(self, paths, studies=()):
         require_libraries()
+        self._studies = studies
         self.runs = [Run(path) for path in paths]
         for run in self.runs:
             if len(run.times) == 0:
@@ -140,7 +141,7 @@ class Report:
     @functools.cached_property
     def content(self):
         """JSON of what the page's script draws."""
-        figures, ratios = _figures(self._sections), self._sections["ratios"]
+        figures, ratios = _figures(self._sections) | _charts_of(self._studies), self._sections["ratios"]
         return _json(_finite({"player": self._player.content(), "charts": figures, "ratios": ratios}))
 
     def html(self, live=None):
@@ -162,26 +163,34 @@ class Report:
             ],
             differences=[facts.differences(runs[0], run, [titles[0], title]) for run, title in zip(runs[1:], titles[1:])],
             sections=self._sections,
+            studies=self._studies,
             player={"fields": [field.label for field, _ in self._player.fields], "frames": len(self._player.times),
                     "of": len(runs[0].times)},
             live=_json(live) if live else None,
         )
 
 
-def _of_runs(paths):
-    report = Report(paths)
-    folder = report.runs[0].path.parent
-    return report.html(), folder / ("report.html" if len(paths) == 1 else "comparison.html")
-
-
-def _of_studies(paths):
+def _studies(paths):
     require_libraries()
     from tremolo.report import studies  # needs Plotly
 
-    found = [studies.read(path, number) for number, path in enumerate(paths)]
-    charts = {chart.key: _plain(chart.figure) for study in found for chart in study.charts}
+    return [studies.read(path, number) for number, path in enumerate(paths)]
+
+
+def _charts_of(studies):
+    return {chart.key: _plain(chart.figure) for study in studies for chart in study.charts}
+
+
+def _of_runs(runs, studies):
+    report = Report(runs, _studies(studies))
+    folder = report.runs[0].path.parent
+    return report.html(), folder / ("report.html" if len(runs) == 1 else "comparison.html")
+
+
+def _of_studies(paths):
+    found = _studies(paths)
     page = _rendered(
-        "study.html.jinja", _json(_finite({"player": {"fields": []}, "charts": charts, "ratios": []})),
+        "study.html.jinja", _json(_finite({"player": {"fields": []}, "charts": _charts_of(found), "ratios": []})),
         title=" | ".join(dict.fromkeys(study.title for study in found)), studies=found,
     )
     first = Path(paths[0])
@@ -189,7 +198,7 @@ def _of_studies(paths):
 
 
 def write(paths, out=None):
-    """Writes the report of one run, of several side by side, or of studies one below the other; returns its path.
+    """Writes the report of one run, of several side by side, with studies one below the other, or of these alone; returns its path.
 
     paths: folders of runs, or their run.h5; or what `tremolo soiltest`, `column`, `swap`, `cost` and `sweep` wrote.
     out: the file (default: report.html beside the only run, comparison.html beside the first of several; report.html in the folder
@@ -199,7 +208,9 @@ def write(paths, out=None):
     if out:  # before the work
         outputs.made_folder(Path(out).parent)
         outputs.writable(out, inputs=paths)
-    page, beside = (_of_runs if kinds.alike(paths) else _of_studies)(paths)
+    runs = [path for path in paths if kinds.kind_of(path) == "run"]
+    studies = [path for path in paths if path not in runs]
+    page, beside = _of_runs(runs, studies) if runs else _of_studies(studies)
     out = outputs.writable(out or beside, inputs=paths)
     out.write_text(page, encoding="utf-8")
     return out

@@ -10,6 +10,7 @@ import numpy as np
 
 BANDWIDTH = 40.0
 LOWEST, HIGHEST = 0.1, 25.0  # Hz
+LOWEST_SHARE = 1.0 / 50.0  # of the peak of a denominator, below which a ratio of spectra says nothing
 PADDING = 4  # times the record, so that the window finds enough lines at low frequencies
 
 
@@ -31,3 +32,11 @@ def fourier_amplitude(acceleration, dt, centres):
     amplitude = dt * np.abs(np.fft.rfft(acceleration, samples))
     lines = np.fft.rfftfreq(samples, dt)
     return smoothed(lines[1:], amplitude[1:], centres)
+
+
+def ratio(above, below):
+    """Of two spectra; NaN where the lower one is below a fiftieth of its peak."""
+    found = np.full(len(below), np.nan)
+    known = below >= LOWEST_SHARE * below.max()
+    found[known] = above[known] / below[known]
+    return found

@@ -1,14 +1,16 @@
-"""What a report shows of a soil test, a free field alone, a swap of models, a ladder of cost, or a sweep: the panels of its picture as
+"""What a report shows of a soil test, a free field alone, a site under several models, a swap of models, a ladder of cost, or a sweep: the panels of its picture as
 charts that zoom, and its numbers as tables."""
 
 from pathlib import Path
 from typing import NamedTuple
 
-import h5py
 import numpy as np
 
-from tremolo import column, cost, pore_pressure, swap
-from tremolo.soil_test import drawing, record
+from tremolo import cost, figures, swap
+from tremolo.run import Run
+from tremolo.site import tables as site_tables
+from tremolo.site.read import Site
+from tremolo.soil_test import record
 from tremolo.report import panels
 from tremolo.report.facts import Table
 from tremolo.report.kinds import kind_of
@@ -23,6 +25,8 @@ class Study(NamedTuple):
     maps: list  # (picture as a data URI, words): what is coloured over an area
     tables: list
     file: str = ""  # the text of the file that says what was done
+    warnings: tuple = ()  # sentences, above all else
+    leading: tuple = ()  # tables above the charts
 
 
 def _number(value):
@@ -37,9 +41,14 @@ def _columns(table, caption):
     return Table([name.replace("_", " ") for name in names], [[_number(cell) for cell in row] for row in zip(*table.values())], caption)
 
 
+def _drawn(path, key):
+    """Charts and maps of the study's pictures."""
+    return panels.drawn(figures.of_study(path).values(), key)
+
+
 def _swap(path, key):
     entries = swap.read(path)
-    charts, maps = panels.drawn([swap.draw(path)], key)
+    charts, maps = _drawn(path, key)
     monitors = list(next((entry["monitors"] for entry in entries if not entry["refused"]), {}))
     rows = [
         [entry["model"], _number(entry["source_cpu_s"]), _number(entry["domain_cpu_s"]),
@@ -55,7 +64,7 @@ def _swap(path, key):
 
 def _cost(path, key):
     study = cost.read(path)
-    charts, maps = panels.drawn([cost.draw(path)], key)
+    charts, maps = _drawn(path, key)
     rows = [
         [rung["folder"], _number(rung["size"]), _number(rung["cpu_s"]) if "cpu_s" in rung else "-",
          _number(100.0 * rung["error"]) if "error" in rung else "-", "yes" if rung.get("front") else ""]
@@ -70,8 +79,7 @@ def _cost(path, key):
 
 def _sweep(path, key):
     sweep = statistics.Sweep(Plan(path))
-    figures = [figure for figure in (pictures.draw(sweep), pictures.draw_histories(sweep)) if figure is not None]
-    charts, maps = panels.drawn(figures, key)
+    charts, maps = _drawn(path, key)
     names = statistics.responses(sweep)
     labels = [pictures.label(name, sweep.columns[name].unit).replace("$", "") for name in names]
     tables = [_sweep_groups(sweep, names, labels), *_sweep_pairs(sweep, names, labels), *_sweep_lines(sweep, names, labels),
@@ -135,7 +143,7 @@ def _sweep_runs(sweep, names, labels):
 
 def _soiltest(path, key):
     test = record.read(path)
-    charts, maps = panels.drawn([drawing.draw(test)], key)
+    charts, maps = _drawn(path, key)
     facts = {name: value for name, value in test.about.items() if name not in ("title", "test_file")}
     rows = [[name.replace("_", " "), _number(value).replace("_", " ")] for name, value in facts.items()]
     about = Table(["what", "value"], rows, "Test, SI units")
@@ -146,14 +154,37 @@ def _soiltest(path, key):
 
 
 def _column(path, key):
-    figures = [figure for figure in (column.draw(path), pore_pressure.draw(path)) if figure is not None]
-    charts, maps = panels.drawn(figures, key)
-    with h5py.File(path, "r") as file:
-        profile = column.table(file["profile"])
-    return Study(Path(path).stem, "free field alone", charts, maps, [_columns(profile, "Profile of peak values, SI units")])
+    charts, maps = _drawn(path, key)
+    with Run(path) as run:
+        tables = [_columns(run.table("profile"), "Profile of peak values, SI units")]
+        leading = [_columns(run.table(name), caption) for name, caption in (
+            ("site", "Site, SI units"), ("layers", "Layers, SI units"), ("measures", "Motion measures, SI units"))]
+        warnings = (run.table("warnings") or {"text": []})["text"]
+        return Study(run.title, f"free field alone, model {run.attribute('model')}", charts, maps, tables, run.case, tuple(warnings),
+                     tuple(leading))
 
 
-_READERS = {"swap": _swap, "cost": _cost, "sweep": _sweep, "soiltest": _soiltest, "column": _column}
+_SITE_CAPTIONS = {"models": "Models", "site": "Site", "layers": "Layers", "measures": "Motion measures",
+                  "spectra": "Response spectra of the surface, 5 %", "amplification": "Amplification, smoothed (Konno & Ohmachi)"}
+
+
+def _caption(name):
+    kind, _, model = name.rpartition("_")
+    return _SITE_CAPTIONS.get(name) or {"profile": "Profile of peak values", "strain_compatible": "Strain-compatible soil"}[kind] + ", " + model
+
+
+def _site(path, key):
+    site = Site(path)
+    charts, maps = _drawn(path, key)
+    tables = {name: _columns(table, _caption(name)) for name, table in site_tables.of_site(site).items() if name != "amplification_raw"}
+    leading = [tables.pop(name) for name in ("models", "site", "layers")]
+    warnings = [f"{model}: {text}" for model, text in site.warnings()]
+    warnings += [f"{model} cannot compute this site: {why}" for model, why in site.refused.items()]
+    return Study(site.title, "site response under " + ", ".join(site.models), charts, maps, list(tables.values()), site.first.run.case,
+                 tuple(warnings), tuple(leading))
+
+
+_READERS = {"swap": _swap, "cost": _cost, "sweep": _sweep, "soiltest": _soiltest, "column": _column, "site": _site}
 
 
 def read(path, number):

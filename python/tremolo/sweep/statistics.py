@@ -165,11 +165,34 @@ def compared(sweep, name):
     return found
 
 
+def _varies(sweep, name):
+    """Whether a measure differs between the runs that have ended well; a failure that comes in some of them does."""
+    values = sweep.numbers(name)[sweep.complete]
+    known = values[np.isfinite(values)]
+    if len(known) == 0:
+        return False
+    differs = np.ptp(known) > ALIKE * np.abs(known).max()
+    return bool(differs or (name == "failure_time_s" and len(known) < len(values)))
+
+
+def _chosen(sweep):
+    """The measures that the study asks for. Raises ValueError for one that no run has."""
+    names = [name for name, column in sweep.columns.items() if column.is_number]
+    for name in sweep.plan.settings["draw"]:
+        if name not in names:
+            raise ValueError(f"{sweep.plan.study}: [measures] draw: the runs have no measure '{name}'; they have {', '.join(names)}")
+    return sweep.plan.settings["draw"]
+
+
 def responses(sweep, most=6):
-    """The measures that are drawn: failure, run-out, tilt, r_u, last displacements, spectral ratios, accelerations."""
+    """The measures that are drawn: those that the study asks for; otherwise failure, run-out, tilt, r_u, last displacements, spectral
+    ratios and accelerations, without what is the same in all runs, unless all is."""
+    if sweep.plan.settings["draw"]:
+        return _chosen(sweep)
     names = [name for name, column in sweep.columns.items() if column.is_number]
     wanted = ["failure_time_s", "run_out_m", ".final_tilt_rad", ".settlement_m", ".peak_r_u", ".final_displacement_m",
               "spectral_ratio_", ".peak_ax_m_s2"]
     found = [name for want in wanted for name in names if name == want or (want[0] == "." and name.endswith(want))
              or (want[-1] == "_" and name.startswith(want))]
-    return [name for name in found if np.isfinite(sweep.numbers(name)).any()][:most]
+    found = [name for name in found if np.isfinite(sweep.numbers(name)).any()]
+    return ([name for name in found if _varies(sweep, name)] or found)[:most]

@@ -149,12 +149,41 @@ double histories(const Case& scene, const Plan& plan) {
   return bytes;
 }
 
+/// Points along the outlines of all structures, and their holes.
+double outline_points(const Case& scene) {
+  std::size_t points = 0;
+  const auto add = [&](const std::vector<Point>& corners, bool bends) {
+    points += bends ? points_of(corners, contact_cell_size(scene)) : corners.size();
+  };
+  for (const Structure& structure : scene.structures) {
+    add(structure.outline.corners, structure.stiffness.has_value());
+    if (structure.hole)
+      add(structure.hole->corners, structure.stiffness.has_value());
+  }
+  return static_cast<double>(points);
+}
+
+/// What ParaView reads run.h5 by: virtual datasets that name the arrays of each frame, numbers of the
+/// particles, and places of faces and outlines.
+double paraview_bytes(const Case& scene, const Plan& plan, double frames) {
+  constexpr double array_bytes = 6e3;     // a virtual dataset without the arrays that it names
+  constexpr double naming_bytes = 100.0;  // one of these
+  constexpr double topology_arrays = 9.0; // of particles and lines
+  constexpr double point_bytes = 3.0 * 8.0;
+  constexpr double line_bytes = 2.0 * point_bytes + 40.0; // a face with its entries in the topology
+  const double arrays = static_cast<double>(particle_arrays(scene).size()) + topology_arrays;
+  return array_bytes * (arrays + topology_arrays) + frames * arrays * (naming_bytes + 8.0) +
+         8.0 * static_cast<double>(plan.particles) + line_bytes * static_cast<double>(most_faces(scene)) +
+         outline_points(scene) * (frames * point_bytes + 20.0);
+}
+
 } // namespace
 
 double output_bytes(const Case& scene, const Plan& plan) {
   const double frames = static_cast<double>(plan.frames) + 1.0; // and the last moment's
   return empty_run_bytes + (scene.structures.empty() ? 0.0 : empty_contact_bytes) +
          static_cast<double>(scene.text.size()) + other_tables_bytes + histories(scene, plan) +
+         paraview_bytes(scene, plan, frames) +
          frames * (frame_of_particles(scene, static_cast<double>(plan.particles)) + frame_of_contact(scene));
 }
 

@@ -7,7 +7,7 @@ namespace tremolo::scene {
 void backbone_has_given_strength(const Case& scene, Findings& findings) {
   for (const auto& [name, soil] : named_soils(scene))
     if (const auto compared = implied_strength(soil))
-      findings.add("soil." + name + ".shear_strength", *compared);
+      findings.add("soil." + name + ".shear_strength", compared->text);
 }
 
 } // namespace tremolo::scene

@@ -80,7 +80,7 @@ class Studies(Pages):
         depth = "depth (m) over peak "
         self.expect_charts("acceleration (m/s²) over t (s)", "10 m deep, stress (kPa) over strain (%)",
                            *(depth + what for what in ("acceleration (m/s²)", "velocity (m/s)", "displacement (cm)", "strain (%)")),
-                           depth + "shear / overburden", "spectral acceleration, 5 % (m/s²) over period (s)",
+                           depth + "shear / effective stress", "spectral acceleration, 5 % (m/s²) over period (s)",
                            "Fourier amplitude ratio over frequency (Hz)")
         # Depth grows downwards, as in the picture.
         self.assertTrue(page.run("const r = document.querySelector('[data-chart=\"study-0-0-2\"]')._fullLayout.yaxis.range; return r[0] > r[1]"))

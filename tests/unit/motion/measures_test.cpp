@@ -19,9 +19,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 TEST(Measures, HarmonicMotion) {
-  // a = A sin(w t) for 40 s of 2 Hz: Arias = pi/(2g) A^2 T/2; 5 and 95 % are reached after whole periods, at
-  // 2 s and 38 s; v = A/w (1 - cos(w t)) with peak 2A/w; d = A/w (t - sin(w t)/w) grows to A/w T; the mean of
-  // |sin| is 2/pi.
+  // a = A sin(w t) for 40 s of 2 Hz: Arias = pi/(2g) A^2 T/2; 5, 75 and 95 % are reached after whole periods,
+  // at 2, 30 and 38 s; v = A/w (1 - cos(w t)) with peak 2A/w; d = A/w (t - sin(w t)/w) grows to A/w T; the
+  // mean of |sin| is 2/pi.
   const double amplitude = 2.0;
   const double frequency = 2.0;
   const double duration = 40.0;
@@ -36,6 +36,7 @@ TEST(Measures, HarmonicMotion) {
   EXPECT_NEAR(m.arias, pi / (2.0 * standard_gravity) * amplitude * amplitude * duration / 2.0, 1e-4);
   EXPECT_NEAR(m.cav, amplitude * 2.0 / pi * duration, 1e-3);
   EXPECT_NEAR(m.significant_duration, 36.0, 5e-3);
+  EXPECT_NEAR(m.duration_5_75, 28.0, 5e-3);
   EXPECT_NEAR(m.mean_period, 1.0 / frequency, 5e-3); // leakage of the finite record
   EXPECT_NEAR(m.residual_velocity, 0.0, 1e-9);
   EXPECT_NEAR(m.residual_displacement, m.pgd, 1e-9);

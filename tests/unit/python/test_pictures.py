@@ -205,7 +205,7 @@ class Pictures(unittest.TestCase):
         status, lines, error = run_command("compare", *runs, "--out", self.folder / "c", "--time", 0.8)
         self.assertEqual((status, error), (0, ""))
         paths = [line for line in lines if line.endswith(".png")]
-        self.expect_pictures(paths, ["compare_acceleration.png", "compare_shear_bands.png"])
+        self.expect_pictures(paths, ["compare_histories.png", "compare_acceleration.png", "compare_shear_bands.png"])
         with Run(runs[0]) as first, Run(runs[1]) as second:
             peaks = [np.max(np.hypot(series["vx"], series["vy"])) for series in (run.monitor("crest") for run in (first, second))]
             velocity = next(line for line in lines if line.startswith("crest") and "v, m/s" in line).split()

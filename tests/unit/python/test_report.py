@@ -12,6 +12,7 @@ import h5py
 import numpy as np
 
 import synthetic_run
+import synthetic_site
 from tremolo import Run
 from tremolo.__main__ import main
 from tremolo.report import facts, frames, kinds, spectra
@@ -102,9 +103,9 @@ class Refused(unittest.TestCase):
 
     def test_damaged_studies_are_named(self):
         with h5py.File(self.folder / "test.h5", "w") as file:
-            file.create_group("tests")
+            file.attrs["content"] = np.bytes_("soil test")
         with h5py.File(self.folder / "column.h5", "w") as file:
-            file.create_group("histories")
+            file.attrs["content"] = np.bytes_("column")
         for name in ("swap", "cost"):
             (self.folder / name).mkdir()
             (self.folder / name / f"{name}.json").write_text(json.dumps([]))
@@ -115,13 +116,14 @@ class Refused(unittest.TestCase):
                 self.assertEqual(1, status)
                 self.assertIn(f"tremolo: {self.folder / name}: ", error)
 
-    def test_runs_and_studies_are_not_mixed(self):
-        (self.folder / "swap").mkdir()
-        (self.folder / "swap/swap.json").write_text("[]")
+    def test_runs_and_studies_stand_in_one_page(self):
         synthetic_run.write(self.folder / "run.h5", size=2.0, frames=2)
-        status, error = refusal("report", self.folder / "run.h5", self.folder / "swap")
-        self.assertEqual(1, status)
-        self.assertIn("a report is of runs, or of studies", error)
+        synthetic_site.write_column(self.folder / "column.h5", "fe")
+        with mock.patch("tremolo.report.checklist.checklist", return_value=facts.Table([], [], "")):
+            self.assertEqual(0, main(["report", str(self.folder / "run.h5"), str(self.folder / "column.h5")]))
+        page = (self.folder / "report.html").read_text()
+        for text in ("synthetic slope", "synthetic site", "free field alone, model fe", "study-0-0-0", "history-crest"):
+            self.assertIn(text, page)
 
     def test_a_run_without_frames(self):
         path = self.folder / "run.h5"

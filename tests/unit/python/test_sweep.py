@@ -15,7 +15,7 @@ from tremolo.sweep.plan import Order, Plan
 MOTIONS, ANGLES = ["a", "b", "c", "d"], [0, 15]
 
 
-def written(folder, result, runs=None):
+def written(folder, result, runs=None, draw=None):
     """The plan of four motions at two angles; result(motion, angle): measures of a run, or None where it has none."""
     runs = runs or [(motion, angle) for motion in MOTIONS for angle in ANGLES]
     entries = [
@@ -26,7 +26,7 @@ def written(folder, result, runs=None):
     content = {
         "title": "by hand", "study": "none.toml", "case": "case.toml", "keeps_recordings": False,
         "axes": [{"key": "motion.file", "unit": ""}, {"key": "motion.angle_deg", "unit": "degrees"}],
-        "measures": {"failure_strain": 0.1, "intensity": "pgv", "colour": "motion.angle_deg", "spectral_ratio": None}, "runs": entries,
+        "measures": {"failure_strain": 0.1, "intensity": "pgv", "colour": "motion.angle_deg", "draw": draw or [], "spectral_ratio": None}, "runs": entries,
     }
     (folder / "sweep.json").write_text(json.dumps(content))
     plan = Plan(folder)
@@ -62,8 +62,23 @@ class OfAPlan(unittest.TestCase):
         self.addCleanup(place.cleanup)
         self.folder = Path(place.name)
 
-    def sweep(self, result, runs=None):
-        return statistics.Sweep(written(self.folder, result, runs))
+    def sweep(self, result, runs=None, draw=None):
+        return statistics.Sweep(written(self.folder, result, runs, draw))
+
+    def test_measures_that_all_runs_share_are_left_out(self):
+        def result(motion, angle):
+            return {"crest.final_displacement_m": 0.1 + 0.01 * angle, "toe.final_displacement_m": 0.2, "failure_time_s": 3.0 if angle else None}
+
+        self.assertEqual(["failure_time_s", "crest.final_displacement_m"], statistics.responses(self.sweep(result)))
+        self.assertEqual(["toe.final_displacement_m"], statistics.responses(self.sweep(lambda motion, angle: {"toe.final_displacement_m": 0.2})))
+
+    def test_a_study_chooses_what_is_drawn(self):
+        def result(motion, angle):
+            return {"crest.final_displacement_m": 0.1 + 0.01 * angle, "crest.final_ux_m": 0.05 * (1 + angle)}
+
+        self.assertEqual(["crest.final_ux_m"], statistics.responses(self.sweep(result, draw=["crest.final_ux_m"])))
+        with self.assertRaisesRegex(ValueError, r"none.toml: \[measures\] draw: the runs have no measure 'crest.ux'; they have .*crest.final_ux_m"):
+            statistics.responses(self.sweep(result, draw=["crest.ux"]))
 
     def test_a_power_law_is_found_again(self):
         sweep = self.sweep(lambda motion, angle: {"crest.final_displacement_m": (2.0 + angle) * (0.1 * (1 + MOTIONS.index(motion))) ** 1.7})

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/free_field/column/column_ground.hpp"
+#include "app/free_field/free_field_series.hpp"
+#include "results/run_file.hpp"
+
+#include <vector>
+
+namespace tremolo::app {
+
+/// What a site is before it is shaken, and what strain makes of it, as tables (docs/output-format.md):
+///   /layers             from the surface down, the half-space last
+///   /site               Vs30, period, impedance: one row
+///   /strain_compatible  stiffness and damping that model eql ended with; of that model alone
+std::vector<results::NamedTable> site_tables(const ColumnGround& ground, const FreeFieldSeries& series);
+
+} // namespace tremolo::app

@@ -1,0 +1,170 @@
+#include "results/paraview/shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace tremolo::results {
+namespace {
+
+struct Point {
+  double x = 0.0, y = 0.0;
+};
+
+/// Numbers of a series by column.
+class Columns {
+public:
+  Columns(const FileReader& run, const std::string& path)
+      : names_(run.attribute_as<std::vector<std::string>>(path, "columns")),
+        values_(run.numbers<double>(run.dataset(path).get(), H5T_NATIVE_DOUBLE, path)) {}
+
+  /// A column at a time, linear between rows, held before the first and after the last; 0 without rows.
+  double at(const std::string& name, double time) const {
+    const auto column = static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
+    std::size_t last = 0;
+    while (last + 1 < rows() && value(last, 0) < time)
+      ++last;
+    if (rows() == 0 || std::isnan(value(0, 0)))
+      return 0.0;
+    if (last == 0 || value(last, 0) <= time || std::isnan(value(last, 0)))
+      return value(last, column);
+    const double share = (time - value(last - 1, 0)) / (value(last, 0) - value(last - 1, 0));
+    return value(last - 1, column) + share * (value(last, column) - value(last - 1, column));
+  }
+  double first(const std::string& name) const { return at(name, -HUGE_VAL); }
+  /// How many of x0, x1, ... there are.
+  std::size_t numbered(const std::string& name) const {
+    std::size_t count = 0;
+    while (std::ranges::find(names_, fmt::format("{}{}", name, count)) != names_.end())
+      ++count;
+    return count;
+  }
+
+private:
+  std::size_t rows() const { return values_.size() / names_.size(); }
+  double value(std::size_t row, std::size_t column) const { return values_[row * names_.size() + column]; }
+
+  std::vector<std::string> names_;
+  std::vector<double> values_;
+};
+
+/// A line and where its points are at each time.
+struct Line {
+  std::int32_t part;
+  bool closed;
+  std::vector<std::vector<Point>> places; ///< [time][point]; of one that stays, once
+};
+
+std::vector<Line> faces(const FileReader& run) {
+  std::vector<Line> lines;
+  if (!run.exists("boundary"))
+    return lines;
+  const auto numbers = [&](const char* name) {
+    return run.numbers<double>(run.dataset(name).get(), H5T_NATIVE_DOUBLE, name);
+  };
+  const auto position = numbers("/boundary/position");
+  const auto normal = numbers("/boundary/normal");
+  const auto length = numbers("/boundary/length");
+  for (std::size_t i = 0; i < length.size(); ++i) {
+    const Point half{-0.5 * length[i] * normal[2 * i + 1], 0.5 * length[i] * normal[2 * i]};
+    const double x = position[2 * i];
+    const double y = position[2 * i + 1];
+    lines.push_back({part_of_faces, false, {{{x - half.x, y - half.y}, {x + half.x, y + half.y}}}});
+  }
+  return lines;
+}
+
+std::vector<Point> corners_of(const std::vector<double>& ring) {
+  std::vector<Point> corners;
+  for (std::size_t i = 0; i + 1 < ring.size(); i += 2)
+    corners.push_back({ring[i], ring[i + 1]});
+  return corners;
+}
+
+/// The corners of a ring of a rigid structure, which has moved and turned about its centre of mass.
+Line rigid_ring(const std::vector<Point>& corners, const Columns& motion, std::span<const double> times) {
+  Line line{part_of_bodies, true, {}};
+  for (const double time : times) {
+    const Point centre{motion.at("x", time), motion.at("y", time)};
+    const double cosine = std::cos(motion.at("tilt", time));
+    const double sine = std::sin(motion.at("tilt", time));
+    std::vector<Point> places;
+    for (const Point& corner : corners) {
+      const double x = corner.x - motion.first("x");
+      const double y = corner.y - motion.first("y");
+      places.push_back({centre.x + cosine * x - sine * y, centre.y + sine * x + cosine * y});
+    }
+    line.places.push_back(std::move(places));
+  }
+  return line;
+}
+
+/// A ring of an elastic structure, whose points are columns x0, y0, ...
+Line bent_ring(const Columns& outline, const std::string& prefix, std::span<const double> times) {
+  Line line{part_of_bodies, true, {}};
+  for (const double time : times) {
+    std::vector<Point> places;
+    for (std::size_t i = 0; i < outline.numbered(prefix + "x"); ++i)
+      places.push_back({outline.at(fmt::format("{}x{}", prefix, i), time),
+                        outline.at(fmt::format("{}y{}", prefix, i), time)});
+    line.places.push_back(std::move(places));
+  }
+  return line;
+}
+
+std::vector<Line> bodies(const FileReader& run, std::span<const double> times) {
+  std::vector<Line> lines;
+  if (!run.exists("bodies"))
+    return lines;
+  for (const std::string& name : run.children("bodies")) {
+    const std::string path = "/bodies/" + name;
+    if (run.exists("outlines") && run.exists("outlines/" + name)) {
+      const Columns outline(run, "/outlines/" + name);
+      lines.push_back(bent_ring(outline, "", times));
+      if (outline.numbered("hole_x") > 0)
+        lines.push_back(bent_ring(outline, "hole_", times));
+      continue;
+    }
+    const Columns motion(run, path);
+    for (const char* ring : {"outline", "hole"})
+      if (run.has_attribute(path, ring))
+        lines.push_back(
+            rigid_ring(corners_of(run.attribute_as<std::vector<double>>(path, ring)), motion, times));
+  }
+  return lines;
+}
+
+void add(const std::vector<Point>& places, std::vector<double>& points) {
+  for (const Point& place : places)
+    points.insert(points.end(), {place.x, place.y, 0.0});
+}
+
+} // namespace
+
+Shapes shapes_of(const FileReader& run, std::span<const double> times) {
+  std::vector<Line> lines = faces(run);
+  const std::size_t still = lines.size();
+  std::ranges::move(bodies(run, times), std::back_inserter(lines));
+  Shapes shapes;
+  shapes.offsets.push_back(0);
+  for (const Line& line : lines) {
+    const auto first = static_cast<std::int64_t>(shapes.count());
+    const std::size_t count = line.places.front().size();
+    for (std::size_t i = 0; i < count; ++i)
+      shapes.connectivity.push_back(first + static_cast<std::int64_t>(i));
+    if (line.closed && count > 0)
+      shapes.connectivity.push_back(first);
+    shapes.offsets.push_back(static_cast<std::int64_t>(shapes.connectivity.size()));
+    shapes.parts.insert(shapes.parts.end(), count, line.part);
+  }
+  const std::span all(lines);
+  for (const Line& line : all.first(still))
+    add(line.places.front(), shapes.fixed);
+  for (std::size_t k = 0; k < times.size(); ++k)
+    for (const Line& line : all.subspan(still))
+      add(line.places[k], shapes.moving);
+  return shapes;
+}
+
+} // namespace tremolo::results
