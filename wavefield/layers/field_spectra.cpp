@@ -107,7 +107,7 @@ SignalSpectrum signal_spectrum(const Signal& signal, const Window& window, RealF
 
 FieldSpectra::FieldSpectra(const FieldSetup& setup, const SignalSpectrum& signal,
                            std::span<const std::size_t> media)
-    : window_(signal.window), part_(setup.part),
+    : window_(signal.window), part_(setup.part), wave_(setup.incidence.wave),
       reflectivity_(setup.profile, setup.incidence.wave, setup.incidence.angle_rad), static_{} {
   const std::size_t bins = signal.velocity.size();
   const bool constant = is_frequency_independent(setup.profile.damping.model);
@@ -122,6 +122,8 @@ FieldSpectra::FieldSpectra(const FieldSetup& setup, const SignalSpectrum& signal
       waves.up[wave].resize(bins);
       waves.down[wave].resize(bins);
     }
+    if (setup.profile.damping.model == DampingModel::rayleigh && part_ == Part::total)
+      waves.carried.resize(bins);
     media_.emplace(medium, std::move(waves));
   }
   for (std::size_t k = 0; k < bins; ++k) {
@@ -154,6 +156,8 @@ void FieldSpectra::fill(MediumWaves& waves, std::size_t medium, const LayerAmpli
     waves.up[wave][bin] = incident * amplitudes.up[at];
     waves.down[wave][bin] = part_ == Part::total ? incident * amplitudes.down[at] : Complex();
   }
+  if (!waves.carried.empty())
+    waves.carried[bin] = incident * amplitudes.carried;
 }
 
 void FieldSpectra::at(double y, std::size_t medium, const Quantities& quantities,
@@ -192,6 +196,8 @@ void FieldSpectra::at(double y, std::size_t medium, const Quantities& quantities
     const Complex vx = times(m(0, 0), p_up + p_down) + times(m(0, 1), s_up + s_down);
     spectra.vx[k] = vx;
     spectra.vy[k] = times(m(1, 0), p_up - p_down) + times(m(1, 1), s_up - s_down);
+    if (!waves.carried.empty())
+      (wave_ == WaveType::SV ? spectra.vx : spectra.vy)[k] += waves.carried[k];
     if (!quantities.stress && !quantities.strain)
       continue;
     const Complex sxy = -z * (times(m(2, 0), p_up - p_down) + times(m(2, 1), s_up - s_down));

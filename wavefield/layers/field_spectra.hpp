@@ -75,6 +75,7 @@ private:
     std::vector<WaveBasis> bases;
     std::vector<ComplexModuli> moduli;
     std::array<Spectrum, 2> up, down; ///< P, SV
+    Spectrum carried;                 ///< velocity besides the waves; empty but under Rayleigh damping
   };
 
   void fill(MediumWaves& waves, std::size_t medium, const LayerAmplitudes& amplitudes,
@@ -82,6 +83,7 @@ private:
 
   Window window_;
   Part part_;
+  WaveType wave_;
   Reflectivity reflectivity_;
   std::map<std::size_t, MediumWaves> media_;
   std::array<std::complex<double>, 2> static_;

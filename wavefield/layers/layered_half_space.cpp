@@ -40,6 +40,14 @@ double LayeredHalfSpace::thickness() const {
   return sum;
 }
 
+RayleighFactors rayleigh_factors(const Damping& damping, double ratio) {
+  if (damping.model != DampingModel::rayleigh)
+    return {};
+  const double first = 2.0 * std::numbers::pi * damping.frequencies_hz[0];
+  const double second = 2.0 * std::numbers::pi * damping.frequencies_hz[1];
+  return {2.0 * ratio * first * second / (first + second), 2.0 * ratio / (first + second)};
+}
+
 MediumModuli::MediumModuli(const LayeredHalfSpace& profile, std::size_t index) : damping_(profile.damping) {
   const bool deep = index == profile.layers.size();
   const HalfSpace& below = profile.half_space;
@@ -78,6 +86,8 @@ Complex MediumModuli::factor(const Modulus& modulus, Complex s) const {
     return s == 0.0 ? 1.0 : std::pow(s / omega_0, 2.0 * std::atan(2.0 * ratio) / std::numbers::pi);
   case DampingModel::constant:
     return modulus.relaxation.factor(s);
+  case DampingModel::rayleigh:
+    return 1.0 + rayleigh_factors(damping_, ratio).beta * s;
   }
   throw std::logic_error("a damping model without a formula");
 }
@@ -113,6 +123,8 @@ std::string_view name(DampingModel model) {
     return "kjartansson";
   case DampingModel::constant:
     return "constant";
+  case DampingModel::rayleigh:
+    return "rayleigh";
   }
   throw std::logic_error("a damping model without a name");
 }
@@ -122,7 +134,14 @@ void validate(const LayeredHalfSpace& profile) {
   validate_ratio("half-space damping ratio", profile.half_space_damping, profile.damping.model);
   for (std::size_t i = 0; i < profile.layers.size(); ++i)
     validate(profile.layers[i], "layer " + std::to_string(i + 1) + " from the top: ", profile.damping.model);
-  if (!is_frequency_independent(profile.damping.model)) {
+  if (profile.damping.model == DampingModel::rayleigh) {
+    const auto [first, second] = profile.damping.frequencies_hz;
+    require_positive("first frequency of rayleigh damping", first, "Hz");
+    require(second > first && std::isfinite(second), "second frequency of rayleigh damping", second,
+            "above the first, " + shortest(first) + " Hz");
+    require(profile.half_space_damping == 0.0, "half-space damping ratio", profile.half_space_damping,
+            "0 under rayleigh damping, which is relative to the motion of undamped rock");
+  } else if (!is_frequency_independent(profile.damping.model)) {
     require_positive("reference frequency of " + std::string(name(profile.damping.model)) + " damping",
                      profile.damping.reference_hz, "Hz");
   }

@@ -3,6 +3,7 @@
 #include "materials/relaxation/constant_damping.hpp"
 #include "wavefield/layers/half_space.hpp"
 
+#include <array>
 #include <complex>
 #include <optional>
 #include <string_view>
@@ -19,15 +20,25 @@ enum class DampingModel {
   kelvin_voigt, ///< G (1 + 2 xi s / omega_0): xi at the reference frequency, growing in proportion to
                 ///< frequency
   kjartansson,  ///< G (s / omega_0)^(2 atan(2 xi) / pi): constant Q and causal (Kjartansson 1979)
-  constant      ///< what soil of relaxation mechanisms has (materials/relaxation): xi in a band, and causal
+  constant,     ///< what soil of relaxation mechanisms has (materials/relaxation): xi in a band, and causal
+  rayleigh      ///< G (1 + beta s), and rho (1 + alpha/s) on the velocity relative to the outcrop: xi at two
+                ///< frequencies; at vertical incidence alone
 };
 
 struct Damping {
   DampingModel model = DampingModel::none;
   /// omega_0 / (2 pi) of kelvin_voigt, kjartansson and constant; unused by the others
   double reference_hz = 0.0;
-  materials::DampingBand band = {}; ///< of constant
+  materials::DampingBand band = {};          ///< of constant
+  std::array<double, 2> frequencies_hz = {}; ///< of rayleigh, at which it has its ratio
 };
+
+/// xi = alpha / (2 w) + beta w / 2 of Rayleigh's damping, equal at both frequencies.
+struct RayleighFactors {
+  double alpha = 0.0; ///< 1/s
+  double beta = 0.0;  ///< s
+};
+RayleighFactors rayleigh_factors(const Damping& damping, double ratio);
 
 /// A homogeneous, isotropic layer.
 struct Layer {

@@ -23,6 +23,8 @@ struct WaveBasis {
 /// the layer's bottom, the downgoing at its top. In the half-space both are referred to its top.
 struct LayerAmplitudes {
   Eigen::Vector2cd up, down;
+  /// Velocity that a layer of Rayleigh damping has besides its waves, along the incident wave's motion.
+  std::complex<double> carried = 0.0;
 };
 
 /// Response of a layered half-space to an incident plane P or SV wave, one frequency at a time.
@@ -55,9 +57,12 @@ private:
   struct Interface {
     Eigen::Matrix2cd up_from_above, down_from_above; ///< both caused by the wave coming down from above
     Eigen::Matrix2cd up_from_below, down_from_below; ///< both caused by the wave coming up from below
+    /// Both caused by what the layers carry, where that differs.
+    Eigen::Vector2cd up_from_carried = Eigen::Vector2cd::Zero(), down_from_carried = Eigen::Vector2cd::Zero();
   };
 
   void factorise(std::complex<double> s);
+  void carry(std::complex<double> s);
 
   LayeredHalfSpace profile_;
   std::size_t incident_;
@@ -71,6 +76,8 @@ private:
   std::vector<Eigen::Matrix2cd> reflected_;   ///< per layer: down at its top per up at its top
   std::vector<Eigen::Matrix2cd> transmitted_; ///< per layer: up at its bottom per up at the next one's top
   std::vector<Eigen::Vector2cd> phase_;       ///< per layer: exp(-s q h)
+  std::vector<Eigen::Vector2cd> own_up_;      ///< per layer: up at its bottom without a wave from below
+  std::vector<Eigen::Vector2cd> own_down_;    ///< per layer: down at its top without a wave from below
   std::vector<LayerAmplitudes> amplitudes_;
 };
 

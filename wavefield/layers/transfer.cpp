@@ -13,8 +13,8 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Of the waves that reflectivity has solved for at s, at y below the top of a medium (y <= 0, m).
-Amplitude at_level(const Reflectivity& reflectivity, std::size_t medium, const LayerAmplitudes& amplitudes,
-                   double thickness, double y, Complex s) {
+Amplitude at_level(const Reflectivity& reflectivity, WaveType wave_type, std::size_t medium,
+                   const LayerAmplitudes& amplitudes, double thickness, double y, Complex s) {
   const WaveBasis& basis = reflectivity.basis(medium);
   Eigen::Vector2cd up = amplitudes.up;
   Eigen::Vector2cd down = amplitudes.down;
@@ -23,7 +23,8 @@ Amplitude at_level(const Reflectivity& reflectivity, std::size_t medium, const L
     up[i] *= std::exp(-s * basis.q[wave] * (y + thickness));
     down[i] *= std::exp(s * basis.q[wave] * y);
   }
-  const Eigen::Vector2cd velocity = basis.up.topRows<2>() * up + basis.down.topRows<2>() * down;
+  Eigen::Vector2cd velocity = basis.up.topRows<2>() * up + basis.down.topRows<2>() * down;
+  velocity[wave_type == WaveType::SV ? 0 : 1] += amplitudes.carried;
   return {velocity[0], velocity[1]};
 }
 
@@ -52,8 +53,8 @@ std::vector<std::vector<Amplitude>> transfer(const LayeredHalfSpace& profile, Wa
     for (const double depth : depths) {
       const std::size_t medium = setup.medium_at({0.0, -depth});
       const double thickness = medium < profile.layers.size() ? profile.layers[medium].thickness : 0.0;
-      row.push_back(
-          at_level(reflectivity, medium, amplitudes[medium], thickness, -depth - setup.top_of(medium), s));
+      row.push_back(at_level(reflectivity, wave, medium, amplitudes[medium], thickness,
+                             -depth - setup.top_of(medium), s));
     }
   }
   return spectra;
@@ -61,7 +62,7 @@ std::vector<std::vector<Amplitude>> transfer(const LayeredHalfSpace& profile, Wa
 
 Amplitude outcrop(const HalfSpace& half_space, WaveType wave, double angle_rad) {
   Reflectivity reflectivity({.half_space = half_space}, wave, angle_rad);
-  return at_level(reflectivity, 0, reflectivity.solve(0.0).front(), 0.0, 0.0, 0.0);
+  return at_level(reflectivity, wave, 0, reflectivity.solve(0.0).front(), 0.0, 0.0, 0.0);
 }
 
 std::vector<SurfaceTransfer> surface_transfer(const LayeredHalfSpace& profile, WaveType wave,

@@ -24,8 +24,9 @@ DampingModel damping_model(const scene::Damping& damping) {
     return DampingModel::kjartansson;
   case scene::DampingModel::constant:
     return DampingModel::constant;
-  case scene::DampingModel::none:
   case scene::DampingModel::rayleigh:
+    return DampingModel::rayleigh;
+  case scene::DampingModel::none:
     return DampingModel::none;
   }
   throw std::logic_error("a damping model without a name");
@@ -55,11 +56,12 @@ LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<sc
   LayeredHalfSpace ground;
   ground.half_space = {deep.density, deep.s_wave_speed(), deep.p_wave_speed()};
   ground.half_space_damping = scene.halfspace_damping;
-  ground.damping = {damping_model(scene.damping), scene.damping.reference_hz.value_or(0.0),
-                    scene.damping.band};
-  // Rayleigh's is that of columns, which have it in their equations. What they ask of this ground is the
-  // incident wave, which no layer has met.
-  const bool by_column = scene.damping.model == scene::DampingModel::rayleigh;
+  // At an angle Rayleigh's is that of columns alone, which have it in their equations. What they ask of this
+  // ground is the incident wave, which no layer has met.
+  const bool by_column =
+      scene.damping.model == scene::DampingModel::rayleigh && scene.motion.angle_deg != 0.0;
+  ground.damping = {by_column ? DampingModel::none : damping_model(scene.damping),
+                    scene.damping.reference_hz.value_or(0.0), scene.damping.band, scene.damping.frequencies};
   for (const scene::Layer& layer : layers)
     ground.layers.push_back({.thickness = layer.thickness,
                              .density = layer.elastic.density,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 
 namespace tremolo::scene {
@@ -40,6 +41,31 @@ void ratios_have_model(const Case& scene, Findings& findings) {
                                                   scene.halfspace_damping));
 }
 
+/// `wave` knows its part in proportion to mass at vertical incidence, relative to the outcrop.
+void rayleigh_suits_models(const Case& scene, std::span<const SourceModel> sources, Findings& findings) {
+  const auto has = [&](SourceModel model) { return std::ranges::find(sources, model) != sources.end(); };
+  if (has(SourceModel::eql))
+    findings.add("damping.model", "model = \"rayleigh\" is for columns and \"wave\"; model \"eql\" knows "
+                                  "\"constant\", \"kelvin_voigt\", \"hysteretic\", \"shake\" and "
+                                  "\"kjartansson\"");
+  if (!has(SourceModel::wave))
+    return;
+  if (scene.halfspace_damping > 0.0)
+    findings.add("damping.model", "model = \"rayleigh\" is relative to the motion of undamped rock: remove "
+                                  "'damping' of [halfspace], or take another model");
+  else if (scene.motion.angle_deg != 0.0)
+    findings.add(
+        "damping.model",
+        fmt::format("model = \"rayleigh\" is known to \"wave\" at vertical incidence only, but [motion] "
+                    "angle_deg = {}; take \"constant\" or \"kelvin_voigt\"",
+                    scene.motion.angle_deg));
+  else if (scene.motion.kind == motion::MotionKind::within)
+    findings.add("damping.model",
+                 "model = \"rayleigh\" is known to \"wave\" under incident and outcrop motions "
+                 "only: under a motion within the ground columns have it relative to their rigid "
+                 "base; take \"fe\", or \"constant\"");
+}
+
 } // namespace
 
 void damping_suits_models(const Case& scene, Findings& findings) {
@@ -64,10 +90,8 @@ void damping_suits_models(const Case& scene, Findings& findings) {
                     scene.halfspace_damping));
   const bool any_damped = damped(layers(scene, left)) || damped(layers(scene, right));
   if (model == DampingModel::rayleigh) {
-    if ((any_damped || scene.halfspace_damping > 0.0) && std::ranges::any_of(sources, in_frequency_domain))
-      findings.add("damping.model",
-                   "model = \"rayleigh\" is for columns; models \"wave\" and \"eql\" know "
-                   "\"constant\", \"kelvin_voigt\", \"hysteretic\", \"shake\" and \"kjartansson\"");
+    if (any_damped || scene.halfspace_damping > 0.0)
+      rayleigh_suits_models(scene, sources, findings);
     return;
   }
   if (scene.damping.reference_hz || !findings.sound("damping.reference_hz"))

@@ -305,8 +305,10 @@ class Refusals(unittest.TestCase):
 
     def test_damping(self):
         rayleigh = DAMPED.replace("kelvin_voigt", "rayleigh").replace("reference_hz = 2.0", "frequencies = [1.0, 4.0]")
-        for model in ("wave", "eql"):
-            self.refused(model, '"rayleigh" is for columns', ground=rayleigh)
+        self.refused("eql", '"rayleigh" is for columns and "wave"', ground=rayleigh)
+        self.refused("wave", '"rayleigh" is known to "wave" at vertical incidence only', ground=rayleigh, angle=15.0)
+        self.refused("wave", '"rayleigh" is known to "wave" under incident and outcrop motions only', ground=rayleigh,
+                     motion='\nkind = "within"')
         # Cells of a domain have its part in proportion to stiffness alone, and say so.
         mesh = "\n[mesh]\nbox = [0.0, -20.0, 2.0, 0.0]\nsize = 0.5\n"
         with ColumnWorkspace(TREMOLO, ground=rayleigh + mesh, motion=PULSE.format(0.01), size=1.0) as work:

@@ -32,11 +32,17 @@ TEST(Rules, DampingSuitsModels) {
   EXPECT_THAT(errors_of(damped + "[damping]\nmodel = \"hysteretic\"\nreference_hz = 3.0\n"), IsEmpty());
   const auto waves = std::string(flat_case) + std::string(layer) + "damping = 0.02\n";
   EXPECT_THAT(errors_of(waves + "[damping]\nmodel = \"hysteretic\"\n"), IsEmpty());
-  EXPECT_THAT(errors_of(waves + "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n"),
-              ElementsAre(::testing::HasSubstr("model = \"rayleigh\" is for columns")));
-  EXPECT_THAT(errors_of(with("[halfspace]\n", "[halfspace]\ndamping = 0.01\n") +
-                        "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n"),
-              ElementsAre(::testing::HasSubstr("model = \"rayleigh\" is for columns")));
+  const std::string rayleigh = "[damping]\nmodel = \"rayleigh\"\nfrequencies = [1.0, 5.0]\n";
+  EXPECT_THAT(errors_of(waves + rayleigh), IsEmpty());
+  const auto refused = [&](std::string_view before, std::string_view after, const char* why) {
+    const std::string changed = with(before, after) + std::string(layer) + "damping = 0.02\n" + rayleigh;
+    EXPECT_THAT(errors_of(changed), Contains(HasSubstr(why)));
+  };
+  refused("angle_deg = 0.0", "angle_deg = 5.0", "known to \"wave\" at vertical incidence only");
+  refused("wave = \"SV\"\n", "wave = \"SV\"\nkind = \"within\"\n", "under incident and outcrop motions only");
+  refused("[halfspace]\n", "[halfspace]\ndamping = 0.01\n", "relative to the motion of undamped rock");
+  refused("left = { model = \"wave\" }", "left = { model = \"eql\" }",
+          "model = \"rayleigh\" is for columns and \"wave\"");
 }
 
 constexpr std::string_view clay = "[soil.clay]\nmodel = \"mkz\"\ndensity = 1700.0\nvs = 80.0\nvp = 150.0\n";
