@@ -90,7 +90,7 @@ struct Study {
   std::optional<StudyMotions> motions;
   double failure_strain = 0.0;
   Intensity intensity = Intensity::pgv;
-  std::string colour; ///< key of an axis; empty: there is none to compare
+  std::string colour;            ///< key of an axis; empty: there is none to compare
   std::vector<std::string> draw; ///< measures of the pictures; empty: chosen by what varies
   std::optional<SpectralRatio> spectral_ratio;
 };

@@ -245,7 +245,8 @@ std::string to_json(const Case& scene, const Plan& plan) {
   for (const PlannedStage& stage : stages(scene)) {
     json["stages"].push_back(
         {{"name", stage.name}, {"kind", stage.kind}, {"changes", stage.changes}, {"lasts", stage.lasts}});
-    if (const auto timed = std::ranges::find(scene.timed, stage.name, &TimedStage::name); timed != scene.timed.end()) {
+    if (const auto timed = std::ranges::find(scene.timed, stage.name, &TimedStage::name);
+        timed != scene.timed.end()) {
       json["stages"].back()["from_s"] = timed->start;
       json["stages"].back()["to_s"] = timed->end();
     }
