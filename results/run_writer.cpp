@@ -405,8 +405,14 @@ void RunWriter::table(std::string_view path, const Table& table) {
 
 void RunWriter::finish() {
   implementation_->guarded([&] { implementation_->close(status_complete); });
-  if (frame_count() > 0) {
+  if (frame_count() == 0) {
+    return;
+  }
+  try {
     add_vtkhdf(implementation_->root().file);
+  } catch (const std::runtime_error& error) { // all results are there already
+    fmt::print(stderr, "warning: the results are complete, but for /VTKHDF, which ParaView opens: {}\n",
+               error.what());
   }
 }
 
