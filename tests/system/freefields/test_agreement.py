@@ -46,6 +46,9 @@ class Columns(unittest.TestCase):
 
     def test_what_check_refuses_column_refuses_alike(self):
         with ColumnWorkspace(TREMOLO, ground=GROUNDS["soil"], motion=PULSE.format("outcrop"), size=1.0) as work:
+            known = work.command("check", work.case, "--column", "wave")
+            self.assertEqual(0, known.returncode, known.stderr)
+        with ColumnWorkspace(TREMOLO, ground=GROUNDS["soil"], motion=PULSE.format("within"), size=1.0) as work:
             for name in ("wave", "eql", "mpm"):
                 checked = work.command("check", work.case, "--column", name)
                 ran = work.command("column", work.case, "--model", name, "--out", "out.h5")
