@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -109,7 +110,8 @@ public:
 
   /// Status "complete", flushed and closed; then ParaView's view of the frames is added
   /// (results/paraview/vtkhdf.hpp).
-  void finish();
+  /// @return why that view could not be added, in a sentence; nothing where it was
+  std::optional<std::string> finish();
 
   /// Status "aborted: reason", flushed and closed.
   void abort(std::string_view reason);

@@ -403,17 +403,16 @@ void RunWriter::table(std::string_view path, const Table& table) {
   implementation_->guarded([&] { implementation_->table(path, table); });
 }
 
-void RunWriter::finish() {
+std::optional<std::string> RunWriter::finish() {
   implementation_->guarded([&] { implementation_->close(status_complete); });
-  if (frame_count() == 0) {
-    return;
-  }
+  if (frame_count() == 0)
+    return std::nullopt;
   try {
     add_vtkhdf(implementation_->root().file);
   } catch (const std::runtime_error& error) { // all results are there already
-    fmt::print(stderr, "warning: the results are complete, but for /VTKHDF, which ParaView opens: {}\n",
-               error.what());
+    return fmt::format("the results are complete, but for /VTKHDF, which ParaView opens: {}", error.what());
   }
+  return std::nullopt;
 }
 
 void RunWriter::abort(std::string_view reason) {

@@ -25,4 +25,9 @@ const TimedStage* Case::fastest_rest() const {
   return fastest;
 }
 
+const TimedStage* Case::rest_after(const ShakingMotion& shaking) const {
+  const std::size_t next = shaking.stage + 1;
+  return next < timed.size() && timed[next].rest ? &timed[next] : nullptr;
+}
+
 } // namespace tremolo::scene

@@ -445,6 +445,8 @@ struct Case {
   materials::SoilClock clock() const;
   /// The rest with the largest time factor; null without one: sand drains to the end as while it is shaken.
   const TimedStage* fastest_rest() const;
+  /// The rest that follows a shaking at once; null where none does.
+  const TimedStage* rest_after(const ShakingMotion& shaking) const;
   /// Time of the soil when the last stage ends, s after the first shaking has begun.
   double end_of_soil_time() const { return timed.empty() ? 0.0 : timed.back().end(); }
   /// The simulated time then, s.

@@ -31,13 +31,6 @@ std::vector<double> column_of(std::span<const ColumnSample> samples, Member memb
   return values;
 }
 
-double peak(std::span<const ColumnSample> samples, Member member) {
-  double largest = 0.0;
-  for (const ColumnSample& sample : samples)
-    largest = std::max(largest, std::abs(sample.*member));
-  return largest;
-}
-
 std::vector<double> times_of(const wavefield::TimeGrid& grid) {
   std::vector<double> times;
   for (std::size_t i = 0; i < grid.count; ++i)
@@ -109,7 +102,7 @@ results::Table profile(const scene::Case& scene, const scene::SourceProcess& sou
   const auto stress_ratio = [&](std::size_t k) {
     return effective(k) > 0.0 ? peak(series.at(k), &ColumnSample::sxy) / effective(k) : 0.0;
   };
-  // Of the largest stress, the amplitude of even cycles that do as much (Seed & Idriss 1971).
+  // Even cycles of this share of the largest stress do as much as the motion (Seed & Idriss 1971).
   constexpr double even_cycles = 0.65;
   add_values("effective_stress", "Pa", effective);
   add_values("stress_ratio", "1", stress_ratio);

@@ -77,7 +77,7 @@ void print_strengths(const scene::Case& scene) {
       fmt::print("  {}\n", compared->text);
 }
 
-/// What is to be said of a ground before it is computed.
+/// Prints what a user should know about a ground before it is computed.
 void print_ground(const ColumnGround& ground) {
   fmt::print("{}", scene::remarks_text(ground.scene));
   if (ground.scene.water)
@@ -107,13 +107,7 @@ void compute(const Options& options) {
 }
 
 void compute_models(const Options& options) {
-  std::vector<scene::SourceModel> models;
-  models.reserve(options.models.size());
-  for (const std::string& model : options.models) {
-    if (std::ranges::count(options.models, model) > 1)
-      throw std::runtime_error(fmt::format("--models: '{}' is named twice", model));
-    models.push_back(scene::computed_model(model));
-  }
+  const auto models = scene::computed_models(options.models);
   make_folder(options.out);
   bool said = false;
   const auto found = column_models(

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <stdexcept>
 #include <utility>
@@ -113,6 +114,24 @@ scene::Case in_time_of_soil(scene::Case scene) {
 }
 
 } // namespace
+
+double peak(std::span<const ColumnSample> samples, double ColumnSample::*member) {
+  double largest = 0.0;
+  for (const ColumnSample& sample : samples)
+    largest = std::max(largest, std::abs(sample.*member));
+  return largest;
+}
+
+std::size_t peak_level(const FreeFieldSeries& series, double ColumnSample::*member) {
+  std::size_t level = 0;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < series.levels.size(); ++k)
+    if (const double value = peak(series.at(k), member); value > largest) {
+      largest = value;
+      level = k;
+    }
+  return level;
+}
 
 FreeFieldSeries free_field_series(const scene::Case& given, const scene::SourceProcess& source,
                                   std::vector<double> levels, const wavefield::TimeGrid& times, double x_line,

@@ -28,6 +28,12 @@ struct FreeFieldSeries {
   }
 };
 
+/// Largest absolute value of a member, in its unit.
+double peak(std::span<const freefield::ColumnSample> samples, double freefield::ColumnSample::*member);
+
+/// The level at which the peak of a member is largest; the lowest of several.
+std::size_t peak_level(const FreeFieldSeries& series, double freefield::ColumnSample::*member);
+
 /// Whose time a series has: they differ in a rest with a time factor (materials/water/soil_clock.hpp).
 enum class TimeOf { simulation, soil };
 

@@ -35,14 +35,7 @@ void compare(const Options& options) {
   if (scene.monitors.empty())
     throw std::runtime_error(
         fmt::format("{}: without a [[monitor]] there is no response to compare", options.case_file));
-  std::vector<scene::SourceModel> models;
-  models.reserve(options.models.size());
-  for (const std::string& model : options.models) {
-    if (std::ranges::count(options.models, model) > 1)
-      throw std::runtime_error(fmt::format("--models: '{}' is named twice", model));
-    models.push_back(scene::computed_model(model));
-  }
-
+  const auto models = scene::computed_models(options.models);
   make_folder(options.out);
   if (!fs::is_empty(options.out))
     throw std::runtime_error(

@@ -204,7 +204,8 @@ public:
       fmt::print("note: {}\n", reason);
       abort(reason);
     } else {
-      output_.finish(stepper, gravity_seconds, waiting_seconds);
+      if (const auto lacking = output_.finish(stepper, gravity_seconds, waiting_seconds))
+        fmt::print(stderr, "warning: {}\n", *lacking);
       warn();
     }
     std::vector<coupler::PassTime> passes{{"gravity stage", gravity_seconds}};

@@ -274,7 +274,7 @@ class Run:
 
     @property
     def title(self):
-        """Of the case."""
+        """The title of the case."""
         return self.attribute("title", "")
 
     @property
@@ -439,3 +439,9 @@ class Run:
                 return None
             group = self._file[name]
             return {column: text(group[column][()]) for column in text(group.attrs["columns"])}
+
+    def table_units(self, name):
+        """The unit of each column of a table."""
+        with self._reading(f"the units of the table {name}"):
+            group = self._file[name]
+            return {column: text(group[column].attrs["unit"]) for column in text(group.attrs["columns"])}

@@ -53,7 +53,7 @@ Handle write_unlinked_table(Place place, const Table& table);
 /// Opens an existing file for writing with the properties that keep it readable at any moment.
 Handle open_for_writing(const std::filesystem::path& file);
 
-/// The same, for objects that HDF5 has since 1.10: virtual datasets.
+/// Opens an existing file likewise, but for objects that HDF5 has only had since 1.10: virtual datasets.
 Handle open_for_virtual_datasets(const std::filesystem::path& file);
 
 /// Creates a file with these properties.

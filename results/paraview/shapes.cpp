@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 #include <utility>
 
 namespace tremolo::results {
@@ -17,22 +18,40 @@ class Columns {
 public:
   Columns(const FileReader& run, const std::string& path)
       : names_(run.attribute_as<std::vector<std::string>>(path, "columns")),
-        values_(run.numbers<double>(run.dataset(path).get(), H5T_NATIVE_DOUBLE, path)) {}
-
-  /// A column at a time, linear between rows, held before the first and after the last; 0 without rows.
-  double at(const std::string& name, double time) const {
-    const auto column = static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
-    std::size_t last = 0;
-    while (last + 1 < rows() && value(last, 0) < time)
-      ++last;
-    if (rows() == 0 || std::isnan(value(0, 0)))
-      return 0.0;
-    if (last == 0 || value(last, 0) <= time || std::isnan(value(last, 0)))
-      return value(last, column);
-    const double share = (time - value(last - 1, 0)) / (value(last, 0) - value(last - 1, 0));
-    return value(last - 1, column) + share * (value(last, column) - value(last - 1, column));
+        values_(run.numbers<double>(run.dataset(path).get(), H5T_NATIVE_DOUBLE, path)) {
+    const auto all = std::views::iota(std::size_t{0}, values_.size() / names_.size());
+    const auto unwritten =
+        std::ranges::find_if(all, [this](std::size_t i) { return std::isnan(value(i, 0)); });
+    rows_ = static_cast<std::size_t>(unwritten - all.begin());
   }
-  double first(const std::string& name) const { return at(name, -HUGE_VAL); }
+
+  /// A time of the series: linear between rows, held before the first and after the last.
+  struct Moment {
+    std::size_t before = 0; ///< row
+    std::size_t after = 0;  ///< row
+    double share = 0.0;     ///< of the later row, 1
+  };
+  Moment moment(double time) const {
+    const auto later = std::views::iota(std::size_t{0}, rows_);
+    const auto after =
+        std::ranges::lower_bound(later, time, {}, [this](std::size_t i) { return value(i, 0); });
+    if (after == later.begin())
+      return {};
+    if (after == later.end())
+      return {rows_ - 1, rows_ - 1, 0.0};
+    const std::size_t i = *after;
+    return {i - 1, i, (time - value(i - 1, 0)) / (value(i, 0) - value(i - 1, 0))};
+  }
+  std::size_t column(const std::string& name) const {
+    return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
+  }
+  /// A column at a time; 0 without rows.
+  double at(std::size_t column, const Moment& moment) const {
+    if (rows_ == 0)
+      return 0.0;
+    const double before = value(moment.before, column);
+    return before + moment.share * (value(moment.after, column) - before);
+  }
   /// How many of x0, x1, ... there are.
   std::size_t numbered(const std::string& name) const {
     std::size_t count = 0;
@@ -42,11 +61,11 @@ public:
   }
 
 private:
-  std::size_t rows() const { return values_.size() / names_.size(); }
   double value(std::size_t row, std::size_t column) const { return values_[row * names_.size() + column]; }
 
   std::vector<std::string> names_;
   std::vector<double> values_;
+  std::size_t rows_ = 0; ///< that have a time
 };
 
 /// A line and where its points are at each time.
@@ -85,14 +104,19 @@ std::vector<Point> corners_of(const std::vector<double>& ring) {
 /// The corners of a ring of a rigid structure, which has moved and turned about its centre of mass.
 Line rigid_ring(const std::vector<Point>& corners, const Columns& motion, std::span<const double> times) {
   Line line{part_of_bodies, true, {}};
+  const std::size_t x_column = motion.column("x");
+  const std::size_t y_column = motion.column("y");
+  const std::size_t tilt_column = motion.column("tilt");
+  const Point start{motion.at(x_column, {}), motion.at(y_column, {})};
   for (const double time : times) {
-    const Point centre{motion.at("x", time), motion.at("y", time)};
-    const double cosine = std::cos(motion.at("tilt", time));
-    const double sine = std::sin(motion.at("tilt", time));
+    const auto moment = motion.moment(time);
+    const Point centre{motion.at(x_column, moment), motion.at(y_column, moment)};
+    const double cosine = std::cos(motion.at(tilt_column, moment));
+    const double sine = std::sin(motion.at(tilt_column, moment));
     std::vector<Point> places;
     for (const Point& corner : corners) {
-      const double x = corner.x - motion.first("x");
-      const double y = corner.y - motion.first("y");
+      const double x = corner.x - start.x;
+      const double y = corner.y - start.y;
       places.push_back({centre.x + cosine * x - sine * y, centre.y + sine * x + cosine * y});
     }
     line.places.push_back(std::move(places));
@@ -103,11 +127,16 @@ Line rigid_ring(const std::vector<Point>& corners, const Columns& motion, std::s
 /// A ring of an elastic structure, whose points are columns x0, y0, ...
 Line bent_ring(const Columns& outline, const std::string& prefix, std::span<const double> times) {
   Line line{part_of_bodies, true, {}};
+  std::vector<std::size_t> xs, ys;
+  for (std::size_t i = 0; i < outline.numbered(prefix + "x"); ++i) {
+    xs.push_back(outline.column(fmt::format("{}x{}", prefix, i)));
+    ys.push_back(outline.column(fmt::format("{}y{}", prefix, i)));
+  }
   for (const double time : times) {
+    const auto moment = outline.moment(time);
     std::vector<Point> places;
-    for (std::size_t i = 0; i < outline.numbered(prefix + "x"); ++i)
-      places.push_back({outline.at(fmt::format("{}x{}", prefix, i), time),
-                        outline.at(fmt::format("{}y{}", prefix, i), time)});
+    for (std::size_t i = 0; i < xs.size(); ++i)
+      places.push_back({outline.at(xs[i], moment), outline.at(ys[i], moment)});
     line.places.push_back(std::move(places));
   }
   return line;

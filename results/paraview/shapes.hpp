@@ -23,7 +23,7 @@ struct Shapes {
 inline constexpr std::int32_t part_of_faces = 1;
 inline constexpr std::int32_t part_of_bodies = 2;
 
-/// Those of a run at the times (s) of its frames.
+/// Finds the lines of a run, and where they are at the times (s) of its frames.
 Shapes shapes_of(const FileReader& run, std::span<const double> times);
 
 } // namespace tremolo::results

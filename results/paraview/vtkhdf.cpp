@@ -113,7 +113,7 @@ private:
   Place grid() const { return {group_.get(), path_}; }
   hsize_t lines() const { return shapes_.offsets.size() - 1; }
   bool has_shapes() const { return shapes_.count() > 0; }
-  /// Of all times: something of the soil's part, and something of the shapes'.
+  /// Adds up, over all times, something of the soil's part and something of the shapes'.
   hsize_t sum(hsize_t of_shapes, hsize_t more = 0) const {
     hsize_t all = 0;
     for (const Frame& frame : frames_)

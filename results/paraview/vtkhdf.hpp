@@ -5,7 +5,7 @@
 
 namespace tremolo::results {
 
-/// Of a run with more frames the file would take minutes to describe.
+/// A run with more frames would take minutes to describe.
 inline constexpr std::size_t most_vtk_frames = 2000;
 
 /// Adds the group /VTKHDF to the closed file of a run, by which ParaView (5.11 and later: all frames) and VTK

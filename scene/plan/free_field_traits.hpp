@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -96,6 +97,19 @@ inline std::vector<std::string> names_of_computed_models() {
 inline SourceModel computed_model(std::string_view word) {
   const auto models = computed_models();
   return *std::ranges::find(models, word, [](SourceModel model) { return name(model); });
+}
+
+/// Those that --models names.
+/// @param words  of names_of_computed_models()
+/// @throws std::runtime_error where one is named twice
+inline std::vector<SourceModel> computed_models(const std::vector<std::string>& words) {
+  std::vector<SourceModel> models;
+  for (const std::string& word : words) {
+    if (std::ranges::count(words, word) > 1)
+      throw std::runtime_error("--models: '" + word + "' is named twice");
+    models.push_back(computed_model(word));
+  }
+  return models;
 }
 
 } // namespace tremolo::scene

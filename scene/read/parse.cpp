@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 namespace tremolo::scene {
 
 namespace {
@@ -55,11 +57,12 @@ Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecor
     read_sides(document, *side, findings, scene);
   left.field.model = right.field.model = base.field.model = model;
   slice_soils(root, profiles, findings, scene);
-  // The others know grains and water together, whose stress they take no part of from gravity.
-  judge(scene, findings,
-        {.model = false,
-         .effective_stress = traits(model).effective_stress,
-         .record = record == CaseRecord::needed});
+  std::vector known = {Needs::ground};
+  if (traits(model).effective_stress) // other models know grains and water together
+    known.push_back(Needs::effective_stress);
+  if (record == CaseRecord::needed)
+    known.push_back(Needs::record);
+  judge(scene, findings, known);
   scene.remarks = findings.remarks();
   return scene;
 }

@@ -34,16 +34,12 @@ struct Rule {
 /// Errors, then warnings, then notes.
 std::span<const Rule> all_rules();
 
-/// What is known besides the ground.
-struct Known {
-  bool model = true;
-  bool effective_stress = true;
-  bool record = true;
-};
-
 /// Applies the rules: those whose findings are errors, and to a case without errors the others.
 /// @throws CaseErrors where anything is wrong, which includes what was found before
-void judge(const Case& scene, Findings& findings, const Known& known = {});
+void judge(const Case& scene, Findings& findings);
+
+/// Applies the rules that need no more than what is known.
+void judge(const Case& scene, Findings& findings, std::span<const Needs> known);
 
 /// The page docs/checks.md: all rules with what they ask for.
 std::string checks_page();

@@ -5,24 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace tremolo::scene {
 
 namespace {
-
-bool is_known(Needs needs, const Known& known) {
-  switch (needs) {
-  case Needs::ground:
-    return true;
-  case Needs::effective_stress:
-    return known.effective_stress;
-  case Needs::record:
-    return known.record;
-  case Needs::model:
-    return known.model;
-  }
-  return false;
-}
 
 /// The rules of a severity under their heading.
 std::string section(Severity severity, std::string_view heading, std::string_view says) {
@@ -48,9 +35,14 @@ bool mesh_is_sound(const Case& scene, const Findings& findings) {
   return true;
 }
 
-void judge(const Case& scene, Findings& findings, const Known& known) {
+void judge(const Case& scene, Findings& findings) {
+  constexpr std::array all = {Needs::model, Needs::ground, Needs::effective_stress, Needs::record};
+  judge(scene, findings, all);
+}
+
+void judge(const Case& scene, Findings& findings, std::span<const Needs> known) {
   for (const Rule& rule : all_rules()) {
-    if (!is_known(rule.needs, known))
+    if (std::ranges::find(known, rule.needs) == known.end())
       continue;
     if (rule.severity != Severity::error)
       findings.throw_if_any();

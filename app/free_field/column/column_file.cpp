@@ -7,7 +7,6 @@
 #include "app/free_field/water_tables.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <variant>
 
 namespace tremolo::app {
@@ -20,23 +19,15 @@ ColumnSummary summary_of(const ColumnGround& ground, const FreeFieldSeries& seri
   const bool shear = ground.scene.motion.wave == scene::Wave::sv;
   const auto along = shear ? &ColumnSample::vx_rate : &ColumnSample::vy_rate;
   const auto strain = shear ? &ColumnSample::gxy : &ColumnSample::eyy;
-  const auto largest = [&](std::size_t k, double ColumnSample::*member) {
-    double value = 0.0;
-    for (const ColumnSample& sample : series.at(k))
-      value = std::max(value, std::abs(sample.*member));
-    return value;
-  };
+  const std::size_t strained = peak_level(series, strain);
   ColumnSummary summary{.cpu_seconds = series.cpu_seconds,
-                        .surface_acceleration = largest(series.levels.size() - 1, along),
-                        .base_acceleration = largest(0, along),
+                        .surface_acceleration = peak(series.at(series.levels.size() - 1), along),
+                        .base_acceleration = peak(series.at(0), along),
+                        .largest_strain = peak(series.at(strained), strain),
+                        .strain_depth = series.levels.back() - series.levels[strained],
                         .water = {},
                         .report = series.report,
                         .warnings = column_warnings(ground, series)};
-  for (std::size_t k = 0; k < series.levels.size(); ++k)
-    if (const double value = largest(k, strain); k == 0 || value > summary.largest_strain) {
-      summary.largest_strain = value;
-      summary.strain_depth = series.levels.back() - series.levels[k];
-    }
   if (has_pore_pressure(ground.scene, ground.source))
     summary.water = water_summary(ground.scene, ground.source, series);
   return summary;

@@ -26,27 +26,8 @@ constexpr double largest_of_equivalent_linear = 1e-3;
 constexpr double largest_of_linear = 5e-4;
 /// Elements of a column that a wavelength needs (docs/free-fields/fe-column.md).
 constexpr double elements_per_wavelength = 10.0;
-/// Of the power of the motion at the base, that may lie above what elements carry.
+/// The share of the power of the base's motion that may lie above what elements carry, 1.
 constexpr double tolerated_power = 0.05;
-
-double largest(std::span<const ColumnSample> samples, double ColumnSample::*member) {
-  double value = 0.0;
-  for (const ColumnSample& sample : samples)
-    value = std::max(value, std::abs(sample.*member));
-  return value;
-}
-
-/// The level of the largest shear strain.
-std::size_t weakest_level(const FreeFieldSeries& series) {
-  std::size_t weakest = 0;
-  double most = 0.0;
-  for (std::size_t k = 0; k < series.levels.size(); ++k)
-    if (const double strain = largest(series.at(k), &ColumnSample::gxy); strain > most) {
-      most = strain;
-      weakest = k;
-    }
-  return weakest;
-}
 
 /// The layer at a level; of an interface the one above, or below where the level is asked for from there.
 const scene::Layer& layer_at(const ColumnGround& ground, const FreeFieldSeries& series, std::size_t level) {
@@ -69,8 +50,8 @@ bool follows_strain(const scene::Case& scene, const std::vector<scene::Layer>& l
 void add_strain(const ColumnGround& ground, const FreeFieldSeries& series,
                 std::vector<std::string>& warnings) {
   const bool iterated = ground.source.field.model == scene::SourceModel::eql;
-  const std::size_t level = weakest_level(series);
-  const double strain = largest(series.at(level), &ColumnSample::gxy);
+  const std::size_t level = peak_level(series, &ColumnSample::gxy);
+  const double strain = peak(series.at(level), &ColumnSample::gxy);
   if (scene::marched_in_time(ground.source.field.model) ||
       !follows_strain(ground.scene, scene::layers(ground.scene, ground.source)) ||
       strain <= (iterated ? largest_of_equivalent_linear : largest_of_linear))
@@ -121,15 +102,15 @@ void add_strength(const ColumnGround& ground, std::vector<std::string>& warnings
 CarriedFrequency carried_frequency(const ColumnGround& ground, const FreeFieldSeries& series, double size,
                                    double per_wavelength) {
   CarriedFrequency carried{std::numeric_limits<double>::infinity()};
-  const double most = largest(series.at(weakest_level(series)), &ColumnSample::gxy);
+  const double most = peak(series.at(peak_level(series, &ColumnSample::gxy)), &ColumnSample::gxy);
   for (std::size_t k = 0; k < series.levels.size(); ++k) {
     const scene::Layer& layer = layer_at(ground, series, k);
-    const double strain = largest(series.at(k), &ColumnSample::gxy);
+    const double strain = peak(series.at(k), &ColumnSample::gxy);
     const double depth = ground.source.surface - series.levels[k];
     // Where there is hardly any strain, and in the top element, whose strain is one and whose stress is not,
     // a secant says nothing.
     const double secant = depth >= size && strain > 1e-2 * most
-                              ? largest(series.at(k), &ColumnSample::sxy) / strain
+                              ? peak(series.at(k), &ColumnSample::sxy) / strain
                               : std::numeric_limits<double>::infinity();
     const double speed = std::min(std::sqrt(secant / layer.elastic.density), layer.elastic.s_wave_speed());
     if (const double frequency = speed / (per_wavelength * size); frequency < carried.frequency)

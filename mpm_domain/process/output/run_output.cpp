@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
-#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -480,7 +478,8 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
   writer_.write_frame(before.frame_times().at(frame), particles.fields(), contact.fields());
 }
 
-void RunOutput::finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
+std::optional<std::string> RunOutput::finish(const Stepper& stepper, double gravity_seconds,
+                                             double waiting_seconds) {
   if (stepper.time_of_soil() > last_history_)
     write_history(stepper);
   if (stepper.time_of_soil() > last_frame_)
@@ -494,7 +493,7 @@ void RunOutput::finish(const Stepper& stepper, double gravity_seconds, double wa
   if (const auto faces = lost_hold_.faces(); scene_.gravity && !faces.empty())
     writer_.table("/drift", drift_table(faces));
   writer_.table("/timings", {{{"pass", "1", names}, {"seconds", "s", seconds}}});
-  writer_.finish();
+  return writer_.finish();
 }
 
 } // namespace tremolo::mpm_domain

@@ -43,7 +43,8 @@ public:
   void write_before_shaking(const Stepper& stepper) { write_frame(stepper, 0.0, {}); }
 
   /// Writes the last state and the timings, and closes the file as complete.
-  void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);
+  /// @return what is lacking all the same, in a sentence
+  std::optional<std::string> finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);
 
   /// What a user should know of the run that has ended, a sentence.
   std::optional<std::string> warning() const;

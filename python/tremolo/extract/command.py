@@ -4,7 +4,7 @@ import numpy as np
 
 from tremolo import outputs
 from tremolo.extract import newmark, pictures, points, profiles, ratios, tables
-from tremolo.report.facts import GRAVITY
+from tremolo.intensity import GRAVITY
 from tremolo.run import Run
 
 YIELDED = 1e-3  # equivalent plastic strain

@@ -4,8 +4,7 @@ import numpy as np
 
 from tremolo import comparison, style, timeline, verification
 from tremolo.histories import even_steps
-
-GRAVITY = 9.81  # m/s2
+from tremolo.intensity import arias
 
 
 class Table:
@@ -92,7 +91,7 @@ def plan(run):
 
 def _duration(acceleration, dt):
     """Arias intensity (m/s) and the time between 5 and 95 % of it (s)."""
-    passed = np.cumsum(acceleration**2) * dt * np.pi / (2.0 * GRAVITY)
+    passed = arias(acceleration, dt)
     if passed[-1] == 0.0:
         return 0.0, 0.0
     begin, end = np.searchsorted(passed, [0.05 * passed[-1], 0.95 * passed[-1]])

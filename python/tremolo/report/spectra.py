@@ -35,7 +35,7 @@ def fourier_amplitude(acceleration, dt, centres):
 
 
 def ratio(above, below):
-    """Of two spectra; NaN where the lower one is below a fiftieth of its peak."""
+    """The ratio of two spectra; NaN where the lower one is below a fiftieth of its peak."""
     found = np.full(len(below), np.nan)
     known = below >= LOWEST_SHARE * below.max()
     found[known] = above[known] / below[known]

@@ -21,7 +21,7 @@ def raw(model, below):
 
 
 def smoothed(model, below):
-    """The same with the spectra smoothed, at frequencies that are even on a logarithmic axis."""
+    """Frequencies (Hz), even on a logarithmic axis, and ratios of smoothed spectra there."""
     frequency = model.transfer["frequency"]
     centres = spectra.frequencies(1.0 / frequency[1], 0.5 / frequency[-1])
     above, under = (spectra.smoothed(frequency[1:], model.transfer[name][1:], centres) for name in ("surface", below))

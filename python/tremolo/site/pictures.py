@@ -4,7 +4,7 @@ import numpy as np
 
 from tremolo import style
 from tremolo.site import amplification
-from tremolo.site.read import GRAVITY
+from tremolo.intensity import GRAVITY, arias
 
 PERIODS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10]  # s
 FREQUENCIES = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20]  # Hz
@@ -44,14 +44,13 @@ def histories(site):
     largest = max(model.measure("surface", "pga") for model in shown) / GRAVITY
     for ax, model in zip(axes, shown):
         series = model.run.monitor("surface")
-        acceleration = series["a" + site.direction] / GRAVITY
-        ax.plot(series["time"], acceleration, color=colours[model.name], linewidth=0.7, label=model.name)
+        acceleration = series["a" + site.direction]
+        ax.plot(series["time"], acceleration / GRAVITY, color=colours[model.name], linewidth=0.7, label=model.name)
         peak = model.measure("surface", "pga") / GRAVITY
         ax.set(ylabel="acceleration (g)", ylim=(-1.1 * largest, 1.1 * largest),
                title=f"surface, {model.name} (soil {model.soil}): {peak:.3f} g")
         step = series["time"][1] - series["time"][0]
-        intensity = np.pi * GRAVITY / 2.0 * np.cumsum(acceleration**2) * step
-        axes[-1].plot(series["time"], intensity, color=colours[model.name], label=model.name)
+        axes[-1].plot(series["time"], arias(acceleration, step), color=colours[model.name], label=model.name)
     axes[-1].set(xlabel="t (s)", ylabel="Arias intensity (m/s)", ylim=(0, None), title="surface, growth of the Arias intensity")
     axes[-1].set_xlim(series["time"][0], series["time"][-1])
     axes[-1].legend(loc="upper left")

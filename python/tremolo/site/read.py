@@ -11,7 +11,6 @@ from pathlib import Path
 from tremolo.run import Run
 
 NAME = "site.json"
-GRAVITY = 9.80665  # m/s2, standard gravity
 
 
 class Model:
@@ -27,7 +26,7 @@ class Model:
         self.warnings = (run.table("warnings") or {"text": []})["text"]
 
     def depth(self):
-        """Of the profile's levels below the surface, m."""
+        """The depth of each level of the profile below the surface, m."""
         return self.profile["y"].max() - self.profile["y"]
 
     def places(self):

@@ -8,7 +8,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Of a record.
+/// The keys that describe a record.
 std::vector<Key> record_keys() {
   return {
       {.name = "file",

@@ -28,7 +28,9 @@ double arrival_of_intensity(const Case& scene, const ShakingMotion& shaking, dou
   for (const double a : motion::differentiate(samples.velocity, samples.dt))
     intensity.push_back(sum += a * a);
   const auto reached = std::ranges::lower_bound(intensity, share * sum);
-  return samples.time(static_cast<std::size_t>(reached - intensity.begin())) + delay_to_model(scene);
+  const double since_start = samples.time(static_cast<std::size_t>(reached - intensity.begin())) +
+                             delay_to_model(scene) - shaking.start;
+  return scene.timed[shaking.stage].start + since_start;
 }
 
 double incident_peak_velocity(const Case& scene) {

@@ -7,8 +7,8 @@ namespace tremolo::scene {
 /// How long after the reference point the incident wave reaches the model, at its lower left corner, s.
 double delay_to_model(const Case& scene);
 
-/// When a share (1) of the Arias intensity of a shaking's incident wave has reached the model there, s of
-/// simulated time.
+/// When a share (1) of the Arias intensity of a shaking's incident wave has reached the model there, s of the
+/// soil's time.
 double arrival_of_intensity(const Case& scene, const ShakingMotion& shaking, double share);
 /// The share with which strong motion is over.
 inline constexpr double strong_motion_over = 0.99;

@@ -8,7 +8,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Of the motion's energy: the end of a record that is worth no word.
+/// Share of the motion's energy in an end of the record that is not worth a warning, 1.
 constexpr double negligible_energy = 0.01;
 
 } // namespace
@@ -17,7 +17,8 @@ void motion_ends_before_run(const Case& scene, Findings& findings) {
   const Motion wave =
       motion(scene.motion.shakings.back()); // that of each other one goes on in the next stages
   const double delay = delay_to_model(scene);
-  if (!(wave.end() + delay > scene.end()))
+  const double end = scene.end();
+  if (!(wave.end() + delay > end))
     return;
   const SampledMotion samples = sampled(wave);
   double all = 0.0;
@@ -25,14 +26,14 @@ void motion_ends_before_run(const Case& scene, Findings& findings) {
   for (std::size_t i = 0; i < samples.velocity.size(); ++i) {
     const double energy = samples.velocity[i] * samples.velocity[i];
     all += energy;
-    if (samples.time(i) + delay > scene.end())
+    if (samples.time(i) + delay > end)
       late += energy;
   }
   if (late > negligible_energy * all)
     findings.add(scene.motion.shakings.back().path,
                  fmt::format("{:.3g} % of the incident wave's energy reaches the model after the run's "
                              "end at {:.6g} s; the wave ends at {:.4g} s",
-                             100.0 * late / all, scene.end(), wave.end() + delay));
+                             100.0 * late / all, end, wave.end() + delay));
 }
 
 } // namespace tremolo::scene

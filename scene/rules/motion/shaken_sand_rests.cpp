@@ -33,11 +33,8 @@ std::string reconsolidating_soils(const Case& scene) {
 void end_suits_motion(const Case& scene, const ShakingMotion& shaking, const std::string& sand,
                       Findings& findings) {
   const TimedStage& stage = scene.timed[shaking.stage];
-  const bool then_rests = shaking.stage + 1 < scene.timed.size() && scene.timed[shaking.stage + 1].rest;
-  const auto arrival = [&](double share) { // in the soil's time
-    return arrival_of_intensity(scene, shaking, share) - shaking.start + stage.start;
-  };
-  const double end = arrival(strong_motion_over);
+  const bool then_rests = scene.rest_after(shaking) != nullptr;
+  const double end = arrival_of_intensity(scene, shaking, strong_motion_over);
   if (stage.end() > end + delay_allowed)
     findings.add(
         "stage",
@@ -50,12 +47,13 @@ void end_suits_motion(const Case& scene, const ShakingMotion& shaking, const std
                         : fmt::format("End the shaking at about {:.0f} s, and add a [[stage]] of kind = "
                                       "\"rest\" for what follows",
                                       std::ceil(end))));
-  else if (then_rests && stage.end() < arrival(goes_on))
+  else if (const double nearly = arrival_of_intensity(scene, shaking, goes_on);
+           then_rests && stage.end() < nearly)
     findings.add("stage",
                  fmt::format("the rest begins at {:g} s, before {:.0f} % of the motion's Arias intensity has "
                              "arrived, at {:.3g} s: soil {} is still shaken when it takes on the stiffness "
                              "of sand that reconsolidates; a longer shaking stage avoids it",
-                             stage.end(), 100.0 * goes_on, arrival(goes_on), sand));
+                             stage.end(), 100.0 * goes_on, nearly, sand));
 }
 
 } // namespace

@@ -11,7 +11,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Of the peak: what is missing below it changes no result.
+/// Velocity over its peak that changes no result where it is missing, 1.
 constexpr double negligible_velocity = 1e-3;
 
 /// What arrives before the start of its stage, s and 1.
@@ -20,14 +20,15 @@ struct Early {
   double share = 0.0; ///< its largest velocity over that of the motion, 1
 };
 
-Early early_part(const ShakingMotion& shaking, double delay) {
-  const SampledMotion samples = sampled(motion(shaking));
+/// @param delay  from the start of the stage until the motion's t = 0 reaches the model, s
+Early early_part(const Motion& wave, double delay) {
+  const SampledMotion samples = sampled(wave);
   double peak = 0.0;
   for (const double v : samples.velocity)
     peak = std::max(peak, std::abs(v));
   Early early;
   for (std::size_t i = 0; i < samples.velocity.size(); ++i) {
-    const double time = samples.time(i) + delay - shaking.start;
+    const double time = samples.time(i) + delay;
     if (time >= 0.0)
       break;
     const double share = std::abs(samples.velocity[i]) / peak;
@@ -43,9 +44,10 @@ Early early_part(const ShakingMotion& shaking, double delay) {
 void wave_arrives_after_start(const Case& scene, Findings& findings) {
   const double delay = delay_to_model(scene);
   for (const ShakingMotion& shaking : scene.motion.shakings) {
-    if (!(motion(shaking).begin() + delay < shaking.start))
+    const Motion wave = motion(shaking);
+    if (!(wave.begin() + delay < shaking.start))
       continue;
-    const Early early = early_part(shaking, delay);
+    const Early early = early_part(wave, delay - shaking.start);
     if (!(early.share > negligible_velocity))
       continue;
     findings.add(

@@ -14,23 +14,22 @@ namespace {
 
 void look_for_motion(const Case& scene, Findings& findings) {
   for (const ShakingMotion& shaking : scene.motion.shakings) {
-    const TimedStage& stage = scene.timed[shaking.stage];
-    if (shaking.stage + 1 == scene.timed.size())
-      return;
-    const auto& [name, begins, duration, rest, path] = scene.timed[shaking.stage + 1];
-    const double end = arrival_of_intensity(scene, shaking, strong_motion_over) - shaking.start + stage.start;
-    if (rest && rest->time_factor > 1.0 && begins < end)
+    const TimedStage* const next = scene.rest_after(shaking);
+    if (next == nullptr || !(next->rest->time_factor > 1.0))
+      continue;
+    const double end = arrival_of_intensity(scene, shaking, strong_motion_over);
+    if (next->start < end)
       findings.add(
           "stage",
           fmt::format("the {} begins at {:g} s, and 99 % of the motion's Arias intensity has arrived at "
                       "{:.3g} s only: what is left of the motion acts on ground in which water flows {:g} "
                       "times as easily, and stands in the results {:g} times as long",
-                      name, begins, end, rest->time_factor, rest->time_factor));
+                      next->name, next->start, end, next->rest->time_factor, next->rest->time_factor));
   }
 }
 
 /// A recording and a program of one's own are not sped up.
-void look_for_other_fields(const Case& scene, Findings& findings) {
+void look_for_other_fields(const Case& scene, const TimedStage& fastest, Findings& findings) {
   const auto& [sides, left, right, base] = scene.boundary;
   for (const auto& [key, model] :
        {std::pair{"boundary.left", left.field.model}, std::pair{"boundary.right", right.field.model},
@@ -38,7 +37,7 @@ void look_for_other_fields(const Case& scene, Findings& findings) {
     if (!traits(model).computed && model != SourceModel::shaking_table)
       findings.add(key, fmt::format("the free field must have the same rest, at {:g} s, with the same "
                                     "'time_factor' = {:g}, which cannot be checked here",
-                                    scene.fastest_rest()->start, scene.fastest_rest()->rest->time_factor));
+                                    fastest.start, fastest.rest->time_factor));
 }
 
 } // namespace
@@ -49,8 +48,9 @@ void time_factor_errs_little(const Case& scene, Findings& findings) {
   if (!fast)
     return;
   look_for_motion(scene, findings);
-  look_for_other_fields(scene, findings);
-  const double factor = scene.fastest_rest()->rest->time_factor;
+  const TimedStage& fastest = *scene.fastest_rest();
+  look_for_other_fields(scene, fastest, findings);
+  const double factor = fastest.rest->time_factor;
   if (fast->settlement_error() > small_error)
     findings.add("stage",
                  fmt::format("the rest's 'time_factor' = {:g} makes inertia count: the settlement that the "

@@ -76,6 +76,13 @@ def rest(duration, **keys):
     return f'\n[[stage]]\nkind = "rest"\nduration_s = {duration}\n{lines}'
 
 
+def replayed(text):
+    """The case whose free fields are replayed from the exchange that its own run has recorded."""
+    for side in ("left", "right", "base"):
+        text = text.replace(f'{side} = {{ model = "mpm"', f'{side} = {{ model = "recording", file = "run/exchange.h5", side = "{side}"')
+    return text
+
+
 class RestWorkspace(small_case.Workspace):
     template = CASE
     defaults = {"permeability": 1e-3, "soil": "", "boundary": BESIDE_COLUMNS, "load": "", "shaking": 3.0, "rest": ""}

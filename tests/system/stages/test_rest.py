@@ -13,7 +13,7 @@ sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests" / "system" / "resum
 
 import numpy as np
 from broken_run import goes_on_with_the_same_bits, whole_run, with_checkpoints
-from rest_case import RestWorkspace, rest
+from rest_case import RestWorkspace, replayed, rest
 from tremolo import column
 from tremolo.run import Run
 
@@ -92,9 +92,7 @@ class Rest(unittest.TestCase):
         changes = {"boundary": 'left = { model = "mpm" }\nright = { model = "mpm" }', "shaking": 0.2}
         with RestWorkspace(TREMOLO, rest=rest(0.2) + "\n[record]\nexchange = true\n", **changes) as work:
             work.run("run", "--threads", 1)
-            replay = work.case.read_text()
-            for side in ("left", "right", "base"):
-                replay = replay.replace(f'{side} = {{ model = "mpm"', f'{side} = {{ model = "recording", file = "run/exchange.h5", side = "{side}"')
+            replay = replayed(work.case.read_text())
             work.case.write_text(replay)
             same = work.command("run", work.case, "--out", work.path / "same", "--threads", 1)
             self.assertEqual(0, same.returncode, same.stdout + same.stderr)

@@ -14,6 +14,11 @@ DT, DURATION = 0.005, 20.0
 DEPTH, RHO, VS, G = 10.0, 1800.0, 200.0, 9.80665
 FACTORS = {"eql": 1.5, "fe": 1.2, "wave": 2.5}
 PERIODS = np.geomspace(0.02, 5.0, 60)
+UNITS = {"y": "m", "top": "m", "bottom": "m", "depth": "m", "density": "kg/m3", "vs": "m/s", "vp": "m/s", "vs30": "m/s", "mean_vs": "m/s",
+         "shear_modulus": "Pa", "period": "s", "period_of_mean_vs": "s", "pga": "m/s2", "pgv": "m/s", "arias": "m/s", "cav": "m/s",
+         "duration_5_75": "s", "duration_5_95": "s", "mean_period": "s", "peak_ax": "m/s2", "peak_ay": "m/s2", "peak_vx": "m/s",
+         "peak_vy": "m/s", "peak_ux": "m", "peak_uy": "m", "peak_ux_relative": "m", "peak_uy_relative": "m", "peak_sxy": "Pa",
+         "effective_stress": "Pa"}
 
 
 def pulse():
@@ -27,6 +32,7 @@ def _table(file, path, **columns):
     group.attrs["columns"] = np.array([name.encode() for name in columns])
     for name, values in columns.items():
         group[name] = np.array([value.encode() for value in values]) if isinstance(values[0], str) else values
+        group[name].attrs["unit"] = UNITS.get(name, "1").encode()
 
 
 def _series(file, path, **columns):

@@ -18,7 +18,7 @@ from tremolo.__main__ import main
 from tremolo.extract import newmark, points, ratios
 from tremolo.report import spectra
 
-G = 9.81  # m/s2
+G = 9.80665  # m/s2
 
 
 def slides(time, driving, k_y):
