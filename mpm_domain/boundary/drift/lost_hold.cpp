@@ -128,6 +128,8 @@ std::optional<std::string> LostHold::report() const {
     if (!farthest || boundary_.faces()[*farthest].side != side)
       continue;
     const Vector d = moved(*farthest);
+    if (d.x == 0.0 && d.y == 0.0) // it has not been shaken
+      continue;
     text += fmt::format("{}{:.3g} mm at {}", text.empty() ? "" : "; ", 1e3 * std::hypot(d.x, d.y),
                         place(*farthest));
     if (const double share = strength_share(*farthest); share > 0.0)

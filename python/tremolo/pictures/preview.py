@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Arc, Patch
 
 from tremolo import bodies, style
-from tremolo.pictures import profile
+from tremolo.pictures import profile, water
 from tremolo.pictures.labels import Labels
 
 
@@ -183,17 +183,12 @@ def _sliding_masses(ax, labels, run):
 
 
 def _water_table(ax, labels, run, low, high):
-    """A line from side to side, with the triangle of drawings on it."""
-    level, line = run.attribute("water_table"), run.attribute("phreatic_line")
-    if level is not None:
-        line, name = [low[0], level, high[0], level], f"water table, y = {level:.4g} m"
-    elif line is not None:
-        name = "phreatic surface"
-    else:
+    """A line from side to side, with its name."""
+    points = water.line(run, low[0], high[0])
+    if points is None:
         return
-    x, y = np.reshape(line, (-1, 2)).T
-    labels.keep_free_along(np.column_stack([x, y]))
-    ax.plot(x, y, color=style.COLOURS[0], linewidth=0.9, linestyle=(0, (6, 2)))
-    mark, middle = ((at, np.interp(at, x, y)) for at in (low[0] + share * (high[0] - low[0]) for share in (0.06, 0.22)))
-    labels.keep_free(ax.text(*mark, "$\\nabla$", ha="center", va="bottom", fontsize=8, color=style.COLOURS[0]))
-    labels.add(name, middle, color=style.COLOURS[0])
+    labels.keep_free_along(points)
+    labels.keep_free(water.draw(ax, points))
+    level, middle = run.attribute("water_table"), low[0] + 0.22 * (high[0] - low[0])
+    name = "phreatic surface" if level is None else f"water table, y = {level:.4g} m"
+    labels.add(name, (middle, np.interp(middle, *points.T)), color=style.COLOURS[0])

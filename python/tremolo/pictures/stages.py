@@ -1,10 +1,12 @@
-"""The model at the end of each static stage: how far soil has moved since gravity, and its vertical stress."""
+"""The model at the end of each static stage: how far soil has moved since gravity, its vertical stress, and
+where the water stands."""
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
 from tremolo import bodies, style
+from tremolo.pictures import water
 from tremolo.run import Run
 
 
@@ -47,6 +49,8 @@ def figure_of(run):
             style.fill_particles(axes[row, column], stage.field(0, "position"), columns[column][row][0], style.sizes(stage, 0),
                                  **scales[column])
             bodies.draw(axes[row, column], stage, 0)
+            if (surface := water.line(stage, bounds[0], bounds[2])) is not None:
+                water.draw(axes[row, column], surface)
     return figure
 
 
