@@ -15,7 +15,7 @@ from matplotlib.text import Text
 
 import synthetic_run
 from tremolo import Run, bodies, comparison, drift, histories, motion, pore_pressure, style
-from tremolo.pictures import fronts, maps, preview, profile
+from tremolo.pictures import fronts, maps, preview, profile, stages
 from tremolo.__main__ import main
 
 
@@ -106,6 +106,25 @@ class Pictures(unittest.TestCase):
         self.assertIn(([0.0, 30.0, 70.0], [-1.0, -2.0, -4.0]), [(list(line.get_xdata()), list(line.get_ydata())) for line in axes.lines])
         texts, _ = self.model("dry")
         self.assertFalse([text for text in texts if "water" in text])
+
+    def test_stages_show_where_their_water_stands(self):
+        folder = self.folder / "staged"
+        waters = {"1 gravity": {"water_table": -2.0}, "2 flood": {"phreatic_line": [0.0, 1.0, 70.0, -2.0]}, "3 dry": {}}
+        for name, attributes in waters.items():
+            path = folder / "stages" / name / "run.h5"
+            path.parent.mkdir(parents=True)
+            synthetic_run.write(path, frames=1, size=2.0)
+            with h5py.File(path, "a") as file:
+                file.attrs.update(attributes)
+                count = len(file["frames/0000/position"])
+                file["frames/0000/displacement"] = np.ones((count, 2))
+                file["frames/0000/stress"] = -np.ones((count, 4))
+        synthetic_run.write(folder / "run.h5", frames=1, size=2.0)
+        with Run(folder / "run.h5") as run:
+            figure = stages.figure_of(run)
+        self.addCleanup(style.plt.close, figure)
+        drawn = {axes.get_title(loc="left"): [list(line.get_ydata()) for line in axes.lines] for axes in figure.axes}
+        self.assertEqual(([[-2.0, -2.0]], [[1.0, -2.0]], []), tuple(drawn[name] for name in ("gravity", "flood", "dry")))
 
     def test_motion_beside_the_spectrum_that_it_was_matched_to(self):
         target = {"period": np.array([0.1, 1.0]), "acceleration": np.array([4.903325, 1.96133])}
