@@ -297,7 +297,7 @@ struct ConstructionStage : StaticStage {
 struct Rest {
   double time_factor = 1.0;          ///< F of the soil's clock (materials/water/soil_clock.hpp)
   std::optional<double> until_ratio; ///< ends when no excess pore pressure ratio is larger, 1
-  /// First interval of particle frames, of the soil's time, s; none: that of the output.
+  /// First interval of particle frames, of the soil's time, s; none: time_factor times that of the output.
   std::optional<double> every;
   double growth = 1.0;                 ///< of each interval of frames over the one before
   std::optional<double> history_every; ///< interval of histories, likewise

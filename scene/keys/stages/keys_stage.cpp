@@ -122,7 +122,7 @@ Table stage_table() {
           {.name = "every_s",
            .unit = "s",
            .meaning = "Interval of particle frames in the rest.",
-           .otherwise = "that of [output]",
+           .otherwise = "`time_factor` times that of [output]",
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
            .when = {"kind", {"rest"}}},
           {.name = "growth",
@@ -136,7 +136,7 @@ Table stage_table() {
           {.name = "history_every_s",
            .unit = "s",
            .meaning = "Interval of histories in the rest.",
-           .otherwise = "that of [output]",
+           .otherwise = "`time_factor` times that of [output]",
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
            .when = {"kind", {"rest"}}}}};
   for (Key key : level_keys()) {

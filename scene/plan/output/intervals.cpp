@@ -1,5 +1,8 @@
 // Intervals that grow by a ratio g from D on have grown to D + (g - 1) t when t has passed, and there are
 // log_g(1 + (g - 1) T/D) of them in a time T.
+//
+// A rest in which time passes F times as fast has, unless the case says otherwise, F times the intervals of
+// the shaking: as many frames and rows for a second that is simulated.
 
 #include "scene/plan/output/intervals.hpp"
 
@@ -16,12 +19,13 @@ double intervals_in(double time, double first, double growth) {
 }
 
 double first_frame_interval(const Case& scene, const TimedStage& stage) {
-  return stage.rest ? stage.rest->every.value_or(scene.output.every) : scene.output.every;
+  const double every = scene.output.every;
+  return stage.rest ? stage.rest->every.value_or(stage.rest->time_factor * every) : every;
 }
 
 double row_interval(const Case& scene, const TimedStage& stage) {
-  return stage.rest ? stage.rest->history_every.value_or(scene.output.history_every)
-                    : scene.output.history_every;
+  const double every = scene.output.history_every;
+  return stage.rest ? stage.rest->history_every.value_or(stage.rest->time_factor * every) : every;
 }
 
 /// The first time after `time` at which something is due. Times that have passed meanwhile are left out, and

@@ -229,20 +229,25 @@ TEST(Elasticity, ModuliAndSpeedsGiveTheSameSoil) {
       with("young = 40e6\npoisson = 0.28", "vs = " + std::to_string(vs) + "\nvp = " + std::to_string(vp)));
   EXPECT_NEAR(scene.halfspace.young, 40e6, 1.0);
   EXPECT_NEAR(scene.halfspace.poisson, 0.28, 1e-7);
+  const auto mixed = parse_case(with("young = 40e6\n", "vs = " + std::to_string(vs) + "\n"));
+  EXPECT_NEAR(mixed.halfspace.young, 40e6, 1.0);
+  EXPECT_EQ(mixed.halfspace.poisson, 0.28);
 }
 
 TEST(Elasticity, RefusesHalfAndDoubleDescriptions) {
   EXPECT_THAT(errors_of(with("poisson = 0.28\n", "")),
               ElementsAre("case.toml:9:1: [halfspace] missing 'poisson': 'young' needs it"));
   EXPECT_THAT(errors_of(with("young = 40e6\npoisson = 0.28\n", "")),
-              ElementsAre("case.toml:9:1: [halfspace] missing elastic constants: give either 'young' and "
-                          "'poisson' or 'vs' and "
-                          "'vp'"));
-  EXPECT_THAT(
-      errors_of(with("young = 40e6\n", "young = 40e6\nvs = 95.0\n")),
-      ElementsAre(
-          "case.toml:12:6: [halfspace] 'vs' is one value too many: give either 'young' and 'poisson' or 'vs' "
-          "and 'vp'"));
+              ElementsAre("case.toml:9:1: [halfspace] missing elastic constants: give 'young' and 'poisson', "
+                          "'vs' and 'vp', or 'vs' and 'poisson'"));
+  EXPECT_THAT(errors_of(with("young = 40e6\n", "young = 40e6\nvs = 95.0\n")),
+              ElementsAre("case.toml:12:6: [halfspace] 'vs' is one value too many: give 'young' and "
+                          "'poisson', 'vs' and 'vp', "
+                          "or 'vs' and 'poisson'"));
+  EXPECT_THAT(errors_of(with("young = 40e6\n", "vs = 95.0\nvp = 200.0\n")),
+              ElementsAre(HasSubstr("[halfspace] 'vp' is one value too many")));
+  EXPECT_THAT(errors_of(with("young = 40e6\npoisson = 0.28\n", "vs = 95.0\n")),
+              ElementsAre(HasSubstr("[halfspace] missing 'vp' or 'poisson': 'vs' needs one of them")));
   EXPECT_THAT(
       errors_of(with("young = 40e6\npoisson = 0.28\n", "vs = 100.0\nvp = 110.0\n")),
       ElementsAre(

@@ -89,6 +89,17 @@ TEST(Rest, WithATimeFactorIsShorterToSimulate) {
   EXPECT_NEAR(fast.end(), 2.0 + 2.0 + (100.0 - in_rise) / 10.0, 1e-9);
 }
 
+TEST(Rest, HasAsManyFramesASecondOfSimulationAsTheShaking) {
+  const std::string output = "[output]\nevery_s = 0.5\nhistory_every_s = 0.02\n";
+  const Case fast = parse_case(sand(output + rest("time_factor = 10.0\n")));
+  EXPECT_NEAR(next_frame(fast, 2.0, 2.0), 2.0 + 5.0, 1e-12);
+  EXPECT_NEAR(next_row(fast, 2.0, 2.0), 2.0 + 0.2, 1e-12);
+  const Case given =
+      parse_case(sand(output + rest("time_factor = 10.0\nevery_s = 1.0\nhistory_every_s = 0.1\n")));
+  EXPECT_NEAR(next_frame(given, 2.0, 2.0), 2.0 + 1.0, 1e-12);
+  EXPECT_NEAR(next_row(given, 2.0, 2.0), 2.0 + 0.1, 1e-12);
+}
+
 TEST(Rest, IsAnEffectOfThePlan) {
   const auto why = [](const std::string& text) {
     const Plan planned = plan(parse_case(text));
