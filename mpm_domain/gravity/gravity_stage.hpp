@@ -28,6 +28,7 @@
 // steep for it, say, the bonded state is kept.
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/gravity/begin_history.hpp"
 
 #include <functional>
 #include <memory>
@@ -40,13 +41,6 @@
 #include <vector>
 
 namespace tremolo::mpm_domain {
-
-/// Particles of a soil whose stress was more than their law can hold, and has been cut.
-struct CutStress {
-  std::string soil;
-  std::size_t particles = 0;
-  Vector low, high; ///< corners of the box around them, m
-};
 
 /// How far a rigid structure has gone in the stages after gravity, or since it was placed.
 struct StructureWay {
@@ -120,13 +114,11 @@ using StageProgress = std::function<void(std::size_t stage, long step, double re
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress);
 
-/// Takes the model at the end of a stage, which is shown with the displacement it has come to.
-using StageShown = std::function<void(std::size_t stage, Domain& model)>;
-
-/// Does what relax_under_gravity does, and then what the stages after it do, one after the other.
+/// Does what relax_under_gravity does, and then what the stages after it do, one after the other
+/// (static_stages.hpp).
 /// @param domain  the model after the last of them; without construction all of them happen to it
 Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const StaticStage> then,
-                        const StageProgress& progress, const StageShown& ended = {});
+                        const StageProgress& progress);
 
 /// After NotAtRest: gives the particles the velocity with which the nodes go on, so that they show where the
 /// soil moves.

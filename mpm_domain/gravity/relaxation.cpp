@@ -273,18 +273,6 @@ Reactions Relaxation::reactions() const {
   return reactions;
 }
 
-void Relaxation::show(const std::function<void()>& act) {
-  const std::vector<Particles> sets = domain_.sets;
-  const NodeField vx = domain_.grid.vx_after;
-  const NodeField vy = domain_.grid.vy_after;
-  if (!way_x_.empty())
-    take_way_as_displacement();
-  act();
-  domain_.sets = sets;
-  domain_.grid.vx_after = vx;
-  domain_.grid.vy_after = vy;
-}
-
 void Relaxation::finish() {
   for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
     Particles& set = domain_.sets[s];

@@ -63,8 +63,6 @@ public:
   /// What a structure presses onto the nodes of the soil at the end of the last course, N/m.
   void add_contact_forces(std::size_t structure, std::vector<Vector>& to) const;
 
-  /// Acts on the domain with the displacement that particles have come to, and leaves it as it was.
-  void show(const std::function<void()>& act);
   /// Gives laws and damping back what they have lost, and particles their displacement.
   void finish();
   /// What the constraints hold at the end.

@@ -14,7 +14,7 @@ sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests" / "system" / "runs"
 
 import numpy as np
 import small_case
-from broken_run import goes_on_with_the_same_bits, whole_run, with_checkpoints
+from broken_run import differences, goes_on_with_the_same_bits, resumed, whole_run, with_checkpoints
 from tremolo.pictures import stages
 from tremolo.run import Run
 
@@ -135,6 +135,28 @@ class Construction(unittest.TestCase):
             for picture in "stages.png", "shear_bands.png":  # there are no accelerations to choose times by
                 self.assertIn(picture, drawn.stdout)
             goes_on_with_the_same_bits(self, work, whole)
+
+    def test_a_run_that_ends_after_any_static_stage_goes_on_from_it(self):
+        with DugWorkspace(TREMOLO) as work:
+            whole = whole_run(work)
+            for count, stage in enumerate(("gravity", "dig", "build"), 1):
+                folder = work.run(stage, "--threads", 1, "--until", stage)
+                part = Run(folder / "run.h5")
+                self.assertIn(f"ended after the stage '{stage}'", part.status)
+                self.assertEqual(["block"] if stage == "build" else [], list(part.bodies))
+                self.assertEqual(count, len(stages.frames(part)))
+                result = resumed(work, folder)
+                self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+                self.assertEqual([], differences(folder, whole))
+                for (name, frame), (_, of_whole) in zip(stages.frames(Run(folder / "run.h5")), stages.frames(Run(whole / "run.h5")), strict=True):
+                    self.assertTrue(np.array_equal(frame.field(0, "stress"), of_whole.field(0, "stress")), name)
+            self.assertIn("nothing to go on with", resumed(work, folder).stderr)
+
+    def test_a_run_that_keeps_no_checkpoint_cannot_end_early(self):
+        with with_checkpoints(DugWorkspace(TREMOLO), keep=0) as work:
+            result = work.command("run", work.case, "--until", "dig")
+            self.assertNotEqual(0, result.returncode)
+            self.assertIn("--until dig: the case keeps no checkpoint to go on from", result.stdout + result.stderr)
 
     def test_a_pit_that_does_not_stand_leaves_a_frame(self):
         with DugWorkspace(TREMOLO, cohesion="1e3", patience=3.0) as work:
