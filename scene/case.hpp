@@ -270,8 +270,13 @@ struct StaticStage {
   std::optional<double> ramp; ///< time in which the change grows, s; none: as slow as the ground asks for
   double residual = 1e-9;     ///< as of gravity
   double max_time = 0.0;      ///< simulated time after the ramp within which it must be reached, s
-  bool undrained = false;     ///< pore water moves with the grains
-  std::string path;           ///< of its table in messages, "stage[1]"
+  bool undrained = false;     ///< pore water moves with the grains, of some soil at least
+  /// Soil by soil, by name; other soils are then drained. Empty: `undrained` says it of all.
+  std::map<std::string, StageDrainage> drainage;
+  std::string path; ///< of its table in messages, "stage[1]"
+
+  /// Those that are, where it is said soil by soil.
+  std::vector<std::string> undrained_soils() const;
 };
 
 /// [[stage]] kind = "load": a load comes onto the surface of the ground, and stays.

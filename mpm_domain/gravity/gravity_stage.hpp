@@ -20,8 +20,8 @@
 // while the ground is damped as above, and stays; then the stage goes on until all rests. Places, and with
 // them the weights, are kept here too, as in any analysis of small displacements; the way that the soil has
 // gone, u = int v dt, counts as displacement from then on; that of a rigid structure is reported. Static
-// stages are drained unless they say otherwise: what an undrained one has done to the pore pressure is gone
-// at the end of the next drained one.
+// stages are drained unless they say otherwise, for all soils or some: what an undrained one has done to the
+// pore pressure is gone at the end of the next one in which the soil is drained.
 //
 // Structures stand in place, bonded to the soil. Once all rests, bonds become contact with friction, and the
 // stage goes on until all rests again. Where it cannot, since a structure stands on a slope that is too
@@ -30,6 +30,7 @@
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/gravity/begin_history.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -67,12 +68,22 @@ struct GravitySettings {
   double skin = 0.0;
 };
 
+/// The soils whose pore water moves with the grains in a stage.
+struct UndrainedSoils {
+  bool any = false;
+  std::vector<std::string> names = {}; ///< none: all of them
+
+  bool include(const std::string& soil) const {
+    return any && (names.empty() || std::ranges::find(names, soil) != names.end());
+  }
+};
+
 /// How a stage after gravity goes.
 struct StageSettings {
   double ramp = 0.0;      ///< T, s
   double residual = 1e-9; ///< as in GravitySettings
   double max_time = 60.0; ///< s of relaxation after the ramp
-  bool undrained = false; ///< pore water moves with the grains
+  UndrainedSoils undrained = {};
 };
 
 /// A stage in which a load comes onto the surface.

@@ -180,7 +180,9 @@ void Relaxation::strain(bool undrained) {
 }
 
 Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
-  const bool undrained = course.undrained && domain_.has_pore_pressure();
+  const bool undrained = course.undrained.any && domain_.has_pore_pressure();
+  for (Particles& set : domain_.sets)
+    set.drains = !course.undrained.include(set.soil);
   dt_ = drained_step_;
   if (undrained) {
     dt_ = domain_.spec.scheme.fraction * critical_time_step(domain_, 0.0);
@@ -277,6 +279,7 @@ void Relaxation::finish() {
   for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
     Particles& set = domain_.sets[s];
     set.law = laws_[s];
+    set.drains = false;
     if (!set.body) {
       set.damping_time = domain_.spec.soils[set.soil_index].damping_time;
       set.relaxation = domain_.spec.soils[set.soil_index].relaxation;

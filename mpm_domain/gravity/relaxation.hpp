@@ -23,7 +23,7 @@ namespace tremolo::mpm_domain {
 /// What changes while a relaxation goes on, and what ends it.
 struct Course {
   bool bonded = false;                         ///< structures stick to the soil, whatever that takes
-  bool undrained = false;                      ///< pore water moves with the grains
+  UndrainedSoils undrained = {};               ///< their pore water moves with the grains
   double ramp = 0.0;                           ///< T, s; 0: nothing grows
   std::function<void(double share)> grow = {}; ///< brings what grows to a share s of its size
   double time = 0.0;                           ///< s within which all must rest, the ramp included

@@ -52,10 +52,10 @@ std::vector<std::size_t> release(Domain& domain, Relaxation& relaxation, const C
   return moving;
 }
 
-/// The excess pressure that an undrained stage has left is gone.
-void drain(Domain& domain) {
+/// The excess pressure that an undrained stage has left is gone in all soils but those that are undrained.
+void drain(Domain& domain, const UndrainedSoils& undrained) {
   for (Particles& set : domain.sets)
-    if (set.traits.wet)
+    if (set.traits.wet && !undrained.include(set.soil))
       set.pore_pressure = set.pressure_at_rest;
 }
 
@@ -84,7 +84,7 @@ void StaticStages::next() {
     std::visit(
         [this](const auto& stage) {
           go(stage);
-          disturbed_ = stage.undrained;
+          disturbed_ = stage.undrained.any;
         },
         stages_[over_ - 1]);
   end_stage();
@@ -120,8 +120,8 @@ void StaticStages::go(const LoadSettings& load) {
   begin_relaxation();
   relaxation_->count_way();
   act_with_loads(over_ - 1);
-  if (disturbed_ && !load.undrained) {
-    drain(*model_);
+  if (disturbed_) {
+    drain(*model_, load.undrained);
     relaxation_->hold(lacking_forces(*model_, *model_, forces_, relaxation_->forces()));
   }
   Course course = course_of(load);
@@ -146,8 +146,7 @@ void StaticStages::go(const ConstructionSettings& construction) {
   carry_over(before, *model_);
   begin_relaxation();
   relaxation_->count_way();
-  if (!construction.undrained)
-    drain(*model_);
+  drain(*model_, construction.undrained);
   act_with_loads(over_ - 1);
   relaxation_->hold(lacking_forces(before, *model_, forces_, relaxation_->forces()));
   Course course = course_of(construction);

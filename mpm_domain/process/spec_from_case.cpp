@@ -78,7 +78,8 @@ std::vector<StaticStage> static_settings(const scene::Case& scene) {
   std::size_t loads = 0;
   for (const scene::BeforeShaking& stage : scene::static_stages(scene)) {
     const auto settings = [&](const scene::StaticStage& of) {
-      return StageSettings{scene::ramp_of(scene, of), of.residual, of.max_time, of.undrained};
+      return StageSettings{scene::ramp_of(scene, of), of.residual, of.max_time,
+                           UndrainedSoils{of.undrained, of.undrained_soils()}};
     };
     if (const auto* load = std::get_if<const scene::LoadStage*>(&stage))
       stages.emplace_back(LoadSettings{settings(**load), loads++});

@@ -34,6 +34,21 @@ std::string read_name(const TableReader& table, const std::string& kind, std::ve
   return name;
 }
 
+/// What pore water does, in all soils or soil by soil.
+void read_drainage(StaticStage& stage, const TableReader& table, const std::string& kind,
+                   Findings& findings) {
+  stage.undrained = table.choice<StageDrainage>("drainage") == StageDrainage::undrained;
+  for (const auto& [soil, word] : table.words_by_name("drainage")) {
+    stage.drainage.emplace(soil, *value_named<StageDrainage>(word));
+    stage.undrained = stage.undrained || !stage.undrained_soils().empty();
+  }
+  if (kind == "water" && !stage.drainage.empty())
+    findings.add(
+        table.path("drainage"),
+        "'drainage' of a stage of kind \"water\" must be \"drained\" or \"undrained\" for all soils: "
+        "the level up to which soil stays wet is one");
+}
+
 /// What static stages after gravity have in common.
 void read_static(StaticStage& stage, const TableReader& table, const std::string& name, const Case& so_far,
                  Findings& findings) {
@@ -41,9 +56,9 @@ void read_static(StaticStage& stage, const TableReader& table, const std::string
   stage.ramp = table.optional_number("ramp_s");
   stage.residual = table.number("residual");
   stage.max_time = table.number("max_time_s");
-  stage.undrained = table.choice<StageDrainage>("drainage") == StageDrainage::undrained;
   stage.path = table.path();
   const std::string kind = table.text("kind");
+  read_drainage(stage, table, kind, findings);
   const char* const suffix = kind == "water" ? " stage" : "";
   if (!so_far.timed.empty())
     findings.add(table.path("kind"), fmt::format("a {}{} must come before the shaking stage", kind, suffix));

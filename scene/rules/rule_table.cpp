@@ -106,6 +106,8 @@ constexpr std::array rules = {
          "The transfer and the time stepping are those that structures are made for."},
     Rule{Severity::error, Needs::model, earlier_models_are_sound, "earlier_models_are_sound",
          "What stands before a construction is as sound as what stands at last."},
+    Rule{Severity::error, Needs::model, drainage_is_of_soils, "drainage_is_of_soils",
+         "Soils whose drainage a stage gives are there, below water, and not drained themselves."},
     Rule{Severity::error, Needs::model, constructions_spare_loads, "constructions_spare_loads",
          "No construction changes the soil that a load lies on."},
     Rule{Severity::error, Needs::model, monitors_lie_in_soil, "monitors_lie_in_soil",

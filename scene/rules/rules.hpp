@@ -57,6 +57,7 @@ void elastic_structures_are_alone(const Case& scene, Findings& findings);
 void elastic_structures_suit_water(const Case& scene, Findings& findings);
 void structures_suit_time_stepping(const Case& scene, Findings& findings);
 void earlier_models_are_sound(const Case& scene, Findings& findings);
+void drainage_is_of_soils(const Case& scene, Findings& findings);
 void constructions_spare_loads(const Case& scene, Findings& findings);
 void monitors_lie_in_soil(const Case& scene, Findings& findings);
 void monitors_lie_on_structures(const Case& scene, Findings& findings);

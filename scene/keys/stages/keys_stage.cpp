@@ -61,12 +61,13 @@ Table stage_table() {
            .otherwise = "nothing",
            .when = {"kind", {"construction"}}},
           {.name = "drainage",
-           .type = Type::choice,
+           .type = Type::choice_by_name,
            .meaning =
                "What pore water does in the stage. `drained`: it has time to flow, and the grains take all "
                "of the change. `undrained`: it moves with the grains of soils that are not `drained` "
                "themselves; the excess pressure lasts until a drained stage, or flows off while the "
-               "ground is shaken and rests.",
+               "ground is shaken and rests. In a `load` or a `construction` it can be said soil by soil, "
+               "`{ clay = \"undrained\" }`; soils that are not named are drained.",
            .fallback = scene::name(StageDrainage::drained),
            .choices = all_words<StageDrainage>(),
            .when = {"kind", {"load", "construction", "water"}}},

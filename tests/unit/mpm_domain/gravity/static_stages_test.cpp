@@ -53,7 +53,7 @@ struct Site {
     const std::vector<Region> dug{whole[0], whole[1]};
     stages = {LoadSettings{settings, 0}, ConstructionSettings{settings, whole, both, spec.water},
               ConstructionSettings{settings, dug, both, spec.water}, LoadSettings{settings, 1}};
-    std::get<ConstructionSettings>(stages[2]).undrained = true;
+    std::get<ConstructionSettings>(stages[2]).undrained = {true};
     spec.regions = dug;
     spec.structures = {both.front()};
   }
