@@ -99,6 +99,12 @@ public:
   double relax(Ground& ground, double keep, double gain, bool bonded,
                std::span<const unsigned char> left_out);
   void end_rest();
+  /// Puts a rigid body where static stages have brought it, from where it has been placed.
+  /// @param way   of its centre, m
+  /// @param turn  counter-clockwise, rad
+  void displace(std::size_t body, const Vector& way, double turn);
+  /// Lets the elastic bodies follow their particles.
+  void follow_particles(const Ground& ground);
 
   /// What a checkpoint keeps (state.hpp).
   template <class Writer>
@@ -132,7 +138,6 @@ private:
   const BodySurface& surface(std::size_t body) const {
     return elastic_[body] ? elastic_[body]->surface() : bodies_[body].surface();
   }
-  void follow_particles(const Ground& ground);
   /// Motions of the bodies after dt (s) without contact: v+ = keep v + dt f/m.
   std::vector<RigidMotion> trial_motions(double keep, double dt) const;
   /// Finds impulses and changes of motion at all nodes, and the bodies' motions, from their trial motions.

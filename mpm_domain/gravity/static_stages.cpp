@@ -59,6 +59,17 @@ void drain(Domain& domain, const UndrainedSoils& undrained) {
       set.pore_pressure = set.pressure_at_rest;
 }
 
+/// Moves the particles of an elastic body, which have kept their places, by their displacement.
+void displace(Particles& set) {
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const Vector way{set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
+    set.x[k] += way.x;
+    set.y[k] += way.y;
+    set.x_initial[k] += way.x;
+    set.y_initial[k] += way.y;
+  }
+}
+
 Course course_of(const StageSettings& settings) {
   return {.undrained = settings.undrained,
           .ramp = settings.ramp,
@@ -92,8 +103,18 @@ void StaticStages::next() {
 
 void StaticStages::show(const std::function<void(Domain& model)>& act) {
   const std::vector<Particles> sets = model_->sets;
+  const Contact contact = model_->contact;
+  for (std::size_t b = 0; b < contact.bodies().size(); ++b)
+    if (const auto structure = std::ranges::find(ways_, contact.bodies()[b].name(), &StructureWay::name);
+        structure != ways_.end())
+      model_->contact.displace(b, structure->way, structure->turn);
+  for (Particles& set : model_->sets)
+    if (set.body)
+      displace(set);
+  model_->contact.follow_particles(*model_);
   act(*model_);
   model_->sets = sets;
+  model_->contact = contact;
 }
 
 Reactions StaticStages::finish() {

@@ -42,7 +42,8 @@ public:
   /// @throws NotAtRest if it does not come to rest
   void next();
 
-  /// Acts on the model as the last stage has left it, and leaves it as it was.
+  /// Acts on the model as the last stage has left it, with structures where they have gone, and leaves it as
+  /// it was.
   void show(const std::function<void(Domain& model)>& act);
 
   /// After the last stage: the laws' memory begins.

@@ -55,7 +55,8 @@ std::string told_of_ways(const std::vector<StructureWay>& ways) {
 
 void tell(const Domain& domain, const Reactions& reactions) {
   if (!reactions.ways.empty())
-    fmt::print("note: {} in the stages before the shaking, in which it is drawn where it was placed\n",
+    fmt::print("note: {} in the stages before the shaking, in which frames show where it has gone; its "
+               "motion in run.h5 counts from where it was placed\n",
                told_of_ways(reactions.ways));
   if (!reactions.cut.empty())
     fmt::print("warning: the laws of these soils cannot hold the stress at rest and have cut it: {} of "

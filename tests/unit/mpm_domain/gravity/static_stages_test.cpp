@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -132,6 +133,50 @@ TEST(StaticStages, AreShownAsTheyAreAndStaySo) {
   SavedState after;
   walk.save(after);
   expect_same(before, after);
+}
+
+/// The mean place of a polygon's corners.
+Vector middle(const std::vector<Vector>& corners) {
+  Vector sum;
+  for (const Vector& corner : corners)
+    sum = {sum.x + corner.x, sum.y + corner.y};
+  const auto count = static_cast<double>(corners.size());
+  return {sum.x / count, sum.y / count};
+}
+
+TEST(StaticStages, ShowStructuresWhereTheyHaveGone) {
+  const Site site;
+  Domain domain(site.spec);
+  StaticStages walk = site.walk(domain);
+  const auto shown = [&] {
+    std::vector<Vector> places;
+    walk.show([&](Domain& model) {
+      for (std::size_t b = 0; b < model.contact.bodies().size(); ++b) {
+        const ElasticBody* const elastic = model.contact.elastic(b);
+        places.push_back(
+            middle(elastic != nullptr ? elastic->surface().points() : model.contact.bodies()[b].outline()));
+      }
+    });
+    return places;
+  };
+  walk.next();
+  const std::vector<Vector> placed = shown();
+  walk.next(); // the load stands beside the elastic block
+  const std::vector<Vector> loaded = shown();
+  ASSERT_EQ(loaded.size(), 2u);
+  EXPECT_NEAR(placed[1].x, 2.0, 1e-9);
+  EXPECT_NEAR(placed[1].y, 0.5, 1e-9);
+  EXPECT_LT(loaded[0].y, placed[0].y - 1e-4);
+  EXPECT_NE(loaded[1].y, placed[1].y);
+  while (!walk.are_over())
+    walk.next();
+  const std::vector<Vector> last = shown();
+  ASSERT_EQ(last.size(), 1u);
+  const Particles& block = domain.sets_of_body(0).front();
+  double way = 0.0;
+  for (std::size_t k = 0; k < block.size(); ++k)
+    way += (block.y[k] - block.y_initial[k]) / static_cast<double>(block.size());
+  EXPECT_NEAR(last[0].y - placed[0].y, way, 0.1 * std::abs(way));
 }
 
 } // namespace
