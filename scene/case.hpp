@@ -279,12 +279,16 @@ struct StaticStage {
   std::vector<std::string> undrained_soils() const;
 };
 
-/// [[stage]] kind = "load": a load comes onto the surface of the ground, and stays.
+/// [[stage]] kind = "load": a load comes onto the surface of the ground, or onto a structure, and stays.
 struct LoadStage : StaticStage {
   double x_min = 0.0; ///< where it begins and ends at the start, m
   double x_max = 0.0;
   double pressure = 0.0; ///< onto the surface, Pa
   double shear = 0.0;    ///< along it, towards +x, Pa
+  std::string structure; ///< that it acts on; empty: it lies on the surface
+  Point force;           ///< on the structure's centroid, N/m
+
+  bool on_structure() const { return !structure.empty(); }
 };
 
 /// [[stage]] kind = "construction", soil and structures are placed and removed; or "water", which has other

@@ -11,9 +11,9 @@
 // critically and every other at the same rate. It ends when the unbalanced force in the free directions,
 // ||f|| over the norm of all nodal weights, is below the stated residual.
 //
-// Other static stages follow: loads on the surface, and construction, which places and removes soil and
-// structures and changes the level of the water (construction.hpp). What they bring goes from 0 to its size
-// along half of a cosine,
+// Other static stages follow: loads on the surface and on structures, and construction, which places and
+// removes soil and structures and changes the level of the water (construction.hpp). What they bring goes
+// from 0 to its size along half of a cosine,
 //
 //     share(t) = (1 - cos(pi t/T))/2,      0 <= t <= T,
 //
@@ -86,9 +86,10 @@ struct StageSettings {
   UndrainedSoils undrained = {};
 };
 
-/// A stage in which a load comes onto the surface.
+/// A stage in which a load comes onto the surface, or onto a structure.
 struct LoadSettings : StageSettings {
-  std::size_t load = 0; ///< index into Spec::loads
+  std::size_t load = 0; ///< index into Spec::loads, or into Spec::structure_loads
+  bool on_structure = false;
 };
 
 /// A stage that changes what the model consists of: after the last of them it is what its Spec says.

@@ -117,6 +117,7 @@ void Relaxation::find_forces() {
   if (domain_.has_seepage())
     add_seepage(domain_, domain_.soil_rows);
   domain_.loads.add(domain_.grid);
+  add_loads(domain_.contact, domain_);
 }
 
 std::vector<Vector> Relaxation::forces() {

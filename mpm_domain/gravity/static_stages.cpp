@@ -146,16 +146,10 @@ void StaticStages::go(const LoadSettings& load) {
     relaxation_->hold(lacking_forces(*model_, *model_, forces_, relaxation_->forces()));
   }
   Course course = course_of(load);
-  course.grow = [&](double share) {
-    model_->loads.scale(load.load, share);
-    model_->loads.follow(*model_);
-  };
+  course.grow = [&](double share) { scale(load, share); };
   course.bonded = model_->contact.any();
-  const SurfaceLoad& line = model_->spec.loads[load.load];
   const Relaxed loaded =
-      run(course,
-          fmt::format("the ground did not come to rest under the load from x = {:.6g} to {:.6g} m",
-                      line.x_min, line.x_max),
+      run(course, fmt::format("the ground did not come to rest under the load {}", description(load)),
           "it may not carry the load");
   end_bonds(course, loaded);
 }
@@ -197,7 +191,8 @@ void StaticStages::end_stage() {
 /// The model of the stages from one of stages_ on, up to the next construction; nothing: it is that of the
 /// end.
 std::optional<Spec> StaticStages::spec_from(std::size_t first) const {
-  std::size_t loads = 0;
+  std::size_t on_surface = 0;
+  std::size_t on_structures = 0;
   for (std::size_t s = 0; s < stages_.size(); ++s) {
     const auto* const next = std::get_if<ConstructionSettings>(&stages_[s]);
     if (next != nullptr && s >= first) {
@@ -205,10 +200,12 @@ std::optional<Spec> StaticStages::spec_from(std::size_t first) const {
       spec.regions = next->regions;
       spec.structures = next->structures;
       spec.water = next->water;
-      spec.loads.resize(loads);
+      spec.loads.resize(on_surface);
+      spec.structure_loads.resize(on_structures);
       return spec;
     }
-    loads += next == nullptr ? 1 : 0;
+    if (const auto* const load = std::get_if<LoadSettings>(&stages_[s]))
+      ++(load->on_structure ? on_structures : on_surface);
   }
   return std::nullopt;
 }
@@ -226,11 +223,33 @@ void StaticStages::begin_relaxation() {
 
 /// Lets the loads of the stages before one of stages_ act, and those after it not.
 void StaticStages::act_with_loads(std::size_t stage) {
+  const Spec& spec = model_->spec;
   for (std::size_t s = 0; s < stages_.size(); ++s)
     if (const auto* load = std::get_if<LoadSettings>(&stages_[s]);
-        load != nullptr && load->load < model_->spec.loads.size())
-      model_->loads.scale(load->load, s < stage ? 1.0 : 0.0);
+        load != nullptr &&
+        load->load < (load->on_structure ? spec.structure_loads.size() : spec.loads.size()))
+      scale(*load, s < stage ? 1.0 : 0.0);
   model_->loads.follow(*model_);
+}
+
+/// Lets a load act with a share of its size.
+void StaticStages::scale(const LoadSettings& load, double share) {
+  if (!load.on_structure) {
+    model_->loads.scale(load.load, share);
+    model_->loads.follow(*model_);
+    return;
+  }
+  model_->contact.structure_loads().scale(load.load, share);
+  for (std::size_t b = 0; b < model_->contact.bodies().size(); ++b)
+    model_->contact.weigh(*model_, b, 1.0);
+}
+
+/// "from x = 3 to 5 m" or "on the structure 'tower'"
+std::string StaticStages::description(const LoadSettings& load) const {
+  const Spec& spec = model_->spec;
+  if (load.on_structure)
+    return fmt::format("on the structure '{}'", spec.structure_loads[load.load].structure);
+  return fmt::format("from x = {:.6g} to {:.6g} m", spec.loads[load.load].x_min, spec.loads[load.load].x_max);
 }
 
 Relaxed StaticStages::run(const Course& course, const std::string& what, const std::string& why) {

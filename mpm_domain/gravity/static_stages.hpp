@@ -103,6 +103,8 @@ private:
   void begin_model(std::size_t first);
   void begin_relaxation();
   void act_with_loads(std::size_t stage);
+  void scale(const LoadSettings& load, double share);
+  std::string description(const LoadSettings& load) const;
   Relaxed run(const Course& course, const std::string& what, const std::string& why);
   void end_bonds(const Course& course, const Relaxed& rest);
   std::vector<std::size_t> structures_that_go() const;

@@ -68,7 +68,31 @@ void read_static(StaticStage& stage, const TableReader& table, const std::string
                              suffix));
 }
 
+/// A load on a structure, which has no place and no pressure of its own.
+LoadStage read_load_on_structure(const TableReader& table, Findings& findings) {
+  LoadStage load;
+  load.structure = table.text("structure");
+  for (const char* const key : {"x_m", "pressure_pa", "shear_pa"})
+    if (table.given(key))
+      findings.add(table.path(key),
+                   fmt::format("'{}' is of a load on the surface, and this one is on the structure '{}': "
+                               "leave one of both out",
+                               key, load.structure));
+  if (!table.given("force_n_per_m"))
+    findings.add(table.path("force_n_per_m"),
+                 "missing 'force_n_per_m' = [fx, fy]: what acts on the structure");
+  load.force = table.point("force_n_per_m");
+  return load;
+}
+
 LoadStage read_load(const TableReader& table, Findings& findings) {
+  if (table.given("structure"))
+    return read_load_on_structure(table, findings);
+  if (table.given("force_n_per_m"))
+    findings.add(table.path("force_n_per_m"),
+                 "'force_n_per_m' is of a load on a structure: give 'structure', its name");
+  if (!table.given("x_m"))
+    findings.add(table.path("x_m"), "missing 'x_m' or 'structure': where the load acts");
   const auto ends = table.numbers("x_m");
   if (ends.size() == 2 && !(ends[0] < ends[1]))
     findings.add(table.path("x_m"), fmt::format("'x_m' = [{:g}, {:g}] goes from right to left: the first end "

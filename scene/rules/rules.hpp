@@ -45,6 +45,7 @@ void seepage_can_be_found(const Case& scene, Findings& findings);
 void resting_sand_is_shaken_first(const Case& scene, Findings& findings);
 void time_factor_is_allowed(const Case& scene, Findings& findings);
 void loads_act_on_ground(const Case& scene, Findings& findings);
+void loads_find_structures(const Case& scene, Findings& findings);
 void structures_have_names(const Case& scene, Findings& findings);
 void structures_are_simple(const Case& scene, Findings& findings);
 void structures_lie_in_mesh(const Case& scene, Findings& findings);

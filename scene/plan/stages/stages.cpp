@@ -50,6 +50,11 @@ PlannedStage construction(const Case& scene, const ConstructionStage& stage) {
 }
 
 PlannedStage load(const Case& scene, const LoadStage& stage) {
+  if (stage.on_structure())
+    return {stage.name, "load",
+            fmt::format("force of [{:g}, {:g}] N/m on the structure '{}', which stays", stage.force.x,
+                        stage.force.y, stage.structure),
+            relaxation(scene, stage)};
   std::string what;
   if (stage.pressure != 0.0)
     what = fmt::format("pressure of {:g} Pa", stage.pressure);
