@@ -10,6 +10,14 @@ std::vector<GivenRecord> MotionInput::records() const {
   return records;
 }
 
+std::vector<std::string> StaticStage::undrained_soils() const {
+  std::vector<std::string> soils;
+  for (const auto& [soil, of_soil] : drainage)
+    if (of_soil == StageDrainage::undrained)
+      soils.push_back(soil);
+  return soils;
+}
+
 materials::SoilClock Case::clock() const {
   std::vector<materials::SoilClock::Stage> stages;
   for (const TimedStage& stage : timed)

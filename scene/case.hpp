@@ -270,16 +270,25 @@ struct StaticStage {
   std::optional<double> ramp; ///< time in which the change grows, s; none: as slow as the ground asks for
   double residual = 1e-9;     ///< as of gravity
   double max_time = 0.0;      ///< simulated time after the ramp within which it must be reached, s
-  bool undrained = false;     ///< pore water moves with the grains
-  std::string path;           ///< of its table in messages, "stage[1]"
+  bool undrained = false;     ///< pore water moves with the grains, of some soil at least
+  /// Soil by soil, by name; other soils are then drained. Empty: `undrained` says it of all.
+  std::map<std::string, StageDrainage> drainage;
+  std::string path; ///< of its table in messages, "stage[1]"
+
+  /// Those that are, where it is said soil by soil.
+  std::vector<std::string> undrained_soils() const;
 };
 
-/// [[stage]] kind = "load": a load comes onto the surface of the ground, and stays.
+/// [[stage]] kind = "load": a load comes onto the surface of the ground, or onto a structure, and stays.
 struct LoadStage : StaticStage {
   double x_min = 0.0; ///< where it begins and ends at the start, m
   double x_max = 0.0;
   double pressure = 0.0; ///< onto the surface, Pa
   double shear = 0.0;    ///< along it, towards +x, Pa
+  std::string structure; ///< that it acts on; empty: it lies on the surface
+  Point force;           ///< on the structure's centroid, N/m
+
+  bool on_structure() const { return !structure.empty(); }
 };
 
 /// [[stage]] kind = "construction", soil and structures are placed and removed; or "water", which has other

@@ -111,10 +111,6 @@ void check_until(const scene::Case& scene, const std::string& until) {
     throw std::invalid_argument(fmt::format("--until {}: the case has no stage of this name, {}", until,
                                             scene::suggestion(until, names)));
   }
-  if (const auto next = std::next(stage); next != stages.end() && next->kind == "load")
-    throw std::invalid_argument(fmt::format(
-        "--until {}: a run cannot go on between stages before the shaking; name one from '{}' on", until,
-        std::prev(std::ranges::find(stages, "shaking", &scene::PlannedStage::kind))->name));
   if (scene.checkpoints.keep == 0 && std::next(stage) != stages.end())
     throw std::invalid_argument(fmt::format("--until {}: the case keeps no checkpoint to go on from: give "
                                             "[checkpoint] 'keep' at least 1",

@@ -31,8 +31,8 @@ RigidMotion mean(const RigidMotion& a, const RigidMotion& b) {
 }
 
 ContactWork sum(const ContactWork& a, const ContactWork& b) {
-  return {a.kinetic + b.kinetic, a.gravity + b.gravity, a.drag + b.drag, a.friction + b.friction,
-          a.impact + b.impact};
+  return {a.kinetic + b.kinetic, a.gravity + b.gravity,   a.load + b.load,
+          a.drag + b.drag,       a.friction + b.friction, a.impact + b.impact};
 }
 
 /// Gives water its change of motion. Drag has been booked on the mean of w before contact.
@@ -79,7 +79,7 @@ std::optional<WaterAround> water_around(const Ground& ground) {
 Contact::Contact(const Spec& spec)
     : structures_(spec.structures), bodies_(structures_.begin(), structures_.end()), elastic_(bodies_.size()),
       nodes_(bodies_.size()), shared_(bodies_.size()), motions_(bodies_.size()), responses_(bodies_.size()),
-      loads_(bodies_.size()) {}
+      structure_loads_(spec), loads_(bodies_.size()) {}
 
 double Contact::kinetic_energy() const {
   double energy = 0.0;
@@ -111,6 +111,12 @@ BodyForces Contact::forces(std::size_t body) const {
     add(forces.friction, along(c.tangent(), c.tangential_impulse), c.arm);
   }
   return forces;
+}
+
+Vector Contact::pull(std::size_t body) const {
+  const Vector& load = structure_loads_.on(body);
+  const double mass = elastic_[body] ? elastic_[body]->mass() : bodies_[body].mass();
+  return {load.x / mass, load.y / mass};
 }
 
 void Contact::take_bodies(const Ground& ground) {
@@ -173,7 +179,8 @@ void Contact::refuse_coarse_cells(const Ground& ground, std::size_t body) const 
 }
 
 void Contact::weigh(const Ground& ground, std::size_t body, double share, const RigidLoad& before) {
-  const RigidLoad whole = bodies_[body].load(ground.spec.gravity, water_around(ground));
+  RigidLoad whole = bodies_[body].load(ground.spec.gravity, water_around(ground));
+  whole.force = sum(whole.force, structure_loads_.on(body));
   const auto blend = [share](double from, double to) { return from + share * (to - from); };
   loads_[body] = {{blend(before.force.x, whole.force.x), blend(before.force.y, whole.force.y)},
                   blend(before.moment, whole.moment)};
@@ -186,125 +193,6 @@ void Contact::find_nodes(Ground& ground, bool bonded) {
     weigh(ground, b, 1.0);
   }
   find_shared();
-}
-
-std::vector<RigidMotion> Contact::trial_motions(double keep, double dt) const {
-  std::vector<RigidMotion> trial;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const RigidBody& body = bodies_[b];
-    const RigidMotion& u = body.motion();
-    trial.push_back({{keep * u.velocity.x + dt * loads_[b].force.x / body.mass(),
-                      keep * u.velocity.y + dt * loads_[b].force.y / body.mass()},
-                     keep * u.spin + dt * loads_[b].moment / body.inertia()});
-  }
-  return trial;
-}
-
-void Contact::find_shared() {
-  for (std::vector<SharedNode>& of_body : shared_)
-    of_body.clear();
-  for (std::size_t a = 0; a < bodies_.size(); ++a)
-    for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
-      const std::vector<ContactNode>& of_a = nodes(a);
-      const std::vector<ContactNode>& of_b = nodes(b);
-      for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
-        if (of_a[i].node == of_b[j].node) {
-          shared_[a].push_back({i, b, j});
-          shared_[b].push_back({j, a, i});
-        }
-        of_a[i].node < of_b[j].node ? ++i : ++j;
-      }
-    }
-}
-
-/// One body with the impulses of the others; returns by how much its motion has changed, m/s.
-double Contact::solve_body(std::size_t body, const RigidMotion& trial, bool bonded) {
-  std::vector<ContactNode>& nodes = nodes_[body].nodes();
-  std::vector<std::pair<Vector, Vector>> by_others(shared_[body].empty() ? 0 : nodes.size());
-  for (const SharedNode& shared : shared_[body]) {
-    const ContactNode& there = nodes_[shared.other].nodes()[shared.there];
-    by_others[shared.at].first = sum(by_others[shared.at].first, there.solid_change);
-    by_others[shared.at].second = sum(by_others[shared.at].second, there.water_change);
-  }
-  for (std::size_t n = 0; n < by_others.size(); ++n)
-    nodes[n].set_trial(by_others[n].first, by_others[n].second);
-  return elastic_[body] ? solve_elastic(body, bonded) : solve_rigid(body, trial, bonded);
-}
-
-double Contact::solve_rigid(std::size_t body, const RigidMotion& trial, bool bonded) {
-  const RigidBody& b = bodies_[body];
-  std::vector<ContactNode>& nodes = nodes_[body].nodes();
-  std::vector<ContactPoint> points(nodes.begin(), nodes.end());
-  const ContactSolution found = solve_contact(b.mass(), b.inertia(), trial, points, bonded);
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    static_cast<ContactPoint&>(nodes[n]) = points[n];
-    nodes[n].find_changes();
-  }
-  const RigidMotion last = motions_[body];
-  motions_[body] = found.motion;
-  responses_[body] = found.response;
-  const double size = std::sqrt(b.inertia() / b.mass());
-  return std::max({std::abs(found.motion.velocity.x - last.velocity.x),
-                   std::abs(found.motion.velocity.y - last.velocity.y),
-                   size * std::abs(found.motion.spin - last.spin)});
-}
-
-double Contact::solve_elastic(std::size_t body, bool bonded) {
-  double most = 0.0;
-  for (ContactNode& c : nodes_[body].nodes()) {
-    const Vector last = c.body_change;
-    c.solve_alone(bonded);
-    most = std::max(most, std::hypot(c.body_change.x - last.x, c.body_change.y - last.y));
-  }
-  return most;
-}
-
-void Contact::refuse_elastic_corners() const {
-  for (const CornerContact& c : corners_)
-    if (elastic_[c.a] || elastic_[c.b])
-      throw std::runtime_error(fmt::format(
-          "structures '{}' and '{}' have come within half a cell of each other: elastic structures "
-          "touch soil alone; two that may meet must be rigid",
-          bodies_[std::min(c.a, c.b)].name(), bodies_[std::max(c.a, c.b)].name()));
-}
-
-// The sweeps begin with the changes that nodes have: none where they have just been found, those of the last
-// step in the gravity stage. Two heavy bodies that light nodes tie to each other need thousands of sweeps,
-// which the gravity stage so has.
-void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) {
-  constexpr int sweeps = 50;
-  constexpr double tolerance = 1e-12; // of the largest speed
-  const bool alone =
-      corners_.empty() && std::ranges::all_of(shared_, [](const auto& of_body) { return of_body.empty(); });
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    double change = 0.0;
-    double speed = 0.0;
-    std::vector<RigidMotion> pushed(trial.begin(), trial.end());
-    for (const CornerContact& c : corners_) {
-      const auto push = [&](std::size_t body, const Vector& arm, double sense) {
-        const RigidBody& b = bodies_[body];
-        const Vector j = c.impulse();
-        pushed[body].velocity = sum(pushed[body].velocity, {sense * j.x / b.mass(), sense * j.y / b.mass()});
-        pushed[body].spin += sense * cross(arm, j) / b.inertia();
-      };
-      push(c.a, c.arm_a, -1.0);
-      push(c.b, c.arm_b, 1.0);
-    }
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      change = std::max(change, solve_body(b, pushed[b], bonded));
-      speed = std::max(speed, std::hypot(motions_[b].velocity.x, motions_[b].velocity.y));
-    }
-    if (alone)
-      return;
-    // Corners that must give way once more change the motions; the next sweep does so with all nodes.
-    std::vector<RigidMotion> motions = motions_;
-    const double impulse = resolve(corners_, motions, responses_, dt);
-    double lightest = bodies_.front().mass();
-    for (const RigidBody& b : bodies_)
-      lightest = std::min(lightest, b.mass());
-    if (sweep > 0 && std::max(change, impulse / lightest) <= tolerance * speed)
-      return;
-  }
 }
 
 ContactWork Contact::meet(Ground& ground, double dt) {
@@ -336,12 +224,15 @@ ContactWork Contact::meet(Ground& ground, double dt) {
   return work;
 }
 
-/// What impulses and weight do to a body; of an elastic one the grid has booked the weight.
+/// What impulses, weight and loads do to a body; of an elastic one the grid has booked the last two.
 ContactWork Contact::book_body(const Grid& grid, std::size_t body, const RigidMotion& middle,
                                double dt) const {
   ContactWork work;
-  if (!elastic_[body])
-    work.gravity = dt * (dot(loads_[body].force, middle.velocity) + loads_[body].moment * middle.spin);
+  if (!elastic_[body]) {
+    work.load = dt * dot(structure_loads_.on(body), middle.velocity);
+    work.gravity =
+        dt * (dot(loads_[body].force, middle.velocity) + loads_[body].moment * middle.spin) - work.load;
+  }
   for (const ContactNode& c : nodes(body)) {
     const Vector speed =
         elastic_[body] ? mean(c.body_before, grid.velocity_after(c.body_node)) : middle.at(c.arm);
@@ -421,7 +312,9 @@ double Contact::meet_remapped(Ground& ground) {
                            per_wall * (normal * c.normal.y + tangential * t.y)};
         grid.vx_strain[m] += given.x;
         grid.vy_strain[m] += given.y;
-        power -= grid.force_x[m] * given.x + (grid.force_y[m] + grid.mass[m] * ground.spec.gravity) * given.y;
+        const Vector a = pull(b);
+        power -= (grid.force_x[m] - grid.mass[m] * a.x) * given.x +
+                 (grid.force_y[m] + grid.mass[m] * (ground.spec.gravity - a.y)) * given.y;
         if (ground.has_flow()) {
           grid.flux_x[m] = grid.vx_strain[m];
           grid.flux_y[m] = grid.vy_strain[m];

@@ -1,18 +1,19 @@
 #pragma once
 
-// The structures of a domain and what passes between them and the soil in a step: contact/contact_nodes.hpp
-// finds the nodes, contact/rigid_contact.hpp the impulses at all nodes of a rigid body,
-// contact/collisions.hpp those between rigid bodies. Every node of an elastic body (contact/elastic_body.hpp)
-// is solved by itself, as a rigid body of one node that cannot turn: with m_b the mass of the body's node, W
-// = m_b and x = 0 there. Nodes that touch several bodies and bodies that touch each other are solved in turn,
-// each with the impulses of the others, until nothing changes; every solution conserves momentum.
+// The structures of a domain and what passes between them and the soil in a step: contact_nodes.hpp finds the
+// nodes, impulses/rigid_contact.hpp the impulses at all nodes of a rigid body, impulses/collisions.hpp those
+// between rigid bodies. Every node of an elastic body (elastic_body.hpp) is solved by itself, as a rigid body
+// of one node that cannot turn: with m_b the mass of the body's node, W = m_b and x = 0 there. Nodes that
+// touch several bodies and bodies that touch each other are solved in turn (impulses/solve.cpp), each with
+// the impulses of the others, until nothing changes; every solution conserves momentum.
 //
 // Contact acts after the grid update, and once more on the remapped velocities that strain the soil (musl):
 // there it moves no particle and no body.
 
-#include "mpm_domain/contact/collisions.hpp"
 #include "mpm_domain/contact/contact_nodes.hpp"
 #include "mpm_domain/contact/elastic_body.hpp"
+#include "mpm_domain/contact/impulses/collisions.hpp"
+#include "mpm_domain/contact/structure_loads.hpp"
 
 #include <optional>
 #include <span>
@@ -29,6 +30,7 @@ struct Spec;
 struct ContactWork {
   double kinetic = 0.0;  ///< of the soil's nodes
   double gravity = 0.0;  ///< work of weight and buoyancy on bodies, and on what contact changes of the soil
+  double load = 0.0;     ///< work of loads on rigid bodies
   double drag = 0.0;     ///< as in MixtureUpdate
   double friction = 0.0; ///< dissipated by sliding, >= 0
   double impact = 0.0;   ///< dissipated where bodies and soil meet, or part
@@ -39,7 +41,7 @@ struct BodyForces {
   RigidLoad normal; ///< of effective stress
   RigidLoad friction;
   RigidLoad water;  ///< of excess pore pressure
-  RigidLoad weight; ///< weight and buoyancy
+  RigidLoad weight; ///< weight, buoyancy and loads
 };
 
 class Contact {
@@ -86,10 +88,14 @@ public:
 
   /// Finds the contact nodes of the gravity stage, in which nothing moves.
   void begin_rest(Ground& ground);
-  /// Lets weight and buoyancy of a rigid body be what lies at a share (1) of the way from `before` to what
-  /// they are, until nodes are found again.
+  StructureLoads& structure_loads() { return structure_loads_; }
+  const StructureLoads& structure_loads() const { return structure_loads_; }
+  /// F/M of the loads on a body, m/s2.
+  Vector pull(std::size_t body) const;
+  /// Lets weight, buoyancy and loads of a rigid body be what lies at a share (1) of the way from `before` to
+  /// what they are, until nodes are found again.
   void weigh(const Ground& ground, std::size_t body, double share, const RigidLoad& before = {});
-  /// Weight and buoyancy of a rigid body.
+  /// Weight, buoyancy and loads of a rigid body.
   const RigidLoad& weight(std::size_t body) const { return loads_[body]; }
 
   /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m.
@@ -99,6 +105,12 @@ public:
   double relax(Ground& ground, double keep, double gain, bool bonded,
                std::span<const unsigned char> left_out);
   void end_rest();
+  /// Puts a rigid body where static stages have brought it, from where it has been placed.
+  /// @param way   of its centre, m
+  /// @param turn  counter-clockwise, rad
+  void displace(std::size_t body, const Vector& way, double turn);
+  /// Lets the elastic bodies follow their particles.
+  void follow_particles(const Ground& ground);
 
   /// What a checkpoint keeps (state.hpp).
   template <class Writer>
@@ -132,7 +144,6 @@ private:
   const BodySurface& surface(std::size_t body) const {
     return elastic_[body] ? elastic_[body]->surface() : bodies_[body].surface();
   }
-  void follow_particles(const Ground& ground);
   /// Motions of the bodies after dt (s) without contact: v+ = keep v + dt f/m.
   std::vector<RigidMotion> trial_motions(double keep, double dt) const;
   /// Finds impulses and changes of motion at all nodes, and the bodies' motions, from their trial motions.
@@ -161,7 +172,8 @@ private:
   std::vector<CornerContact> corners_;
   std::vector<RigidMotion> motions_; ///< of bodies, as found by solve()
   std::vector<Response> responses_;
-  std::vector<RigidLoad> loads_; ///< weight and buoyancy in the last step
+  StructureLoads structure_loads_;
+  std::vector<RigidLoad> loads_; ///< weight, buoyancy and loads in the last step
   double dt_ = 0.0;              ///< of the last step, s
   long pushed_out_ = 0;
 };

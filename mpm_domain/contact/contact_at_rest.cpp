@@ -74,6 +74,11 @@ void Contact::end_rest() {
     body.set_motion({});
 }
 
+void Contact::displace(std::size_t body, const Vector& way, double turn) {
+  RigidBody& b = bodies_[body];
+  b.set_state({b.centre().x + way.x, b.centre().y + way.y, b.tilt() + turn, 0.0, 0.0, 0.0});
+}
+
 double Contact::speed(const Ground& ground, std::size_t body) const {
   if (!elastic_[body])
     return std::sqrt(2.0 * bodies_[body].kinetic_energy() / bodies_[body].mass());

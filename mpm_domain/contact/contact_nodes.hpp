@@ -24,7 +24,7 @@
 // too, at the ground surface beside a wall, say: where both normals are far apart, the body's holds. Dry soil
 // takes the body's at every edge: its surface is smooth where that of soil made of squares is not.
 
-#include "mpm_domain/contact/rigid_contact.hpp"
+#include "mpm_domain/contact/impulses/rigid_contact.hpp"
 #include "mpm_domain/contact/wall_nodes.hpp"
 
 #include <algorithm>

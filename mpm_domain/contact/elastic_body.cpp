@@ -76,12 +76,11 @@ ElasticBody::ElasticBody(const Structure& structure, std::size_t number, std::sp
   of_surface_ = followers(points, sets);
   of_hole_ = followers(hole_, sets);
   surface_ = BodySurface(std::move(points));
-  double mass = 0.0;
   over_particles(sets, [&](const Particles& set, std::size_t k) {
-    mass += set.mass[k];
+    mass_ += set.mass[k];
     start_ = {start_.x + set.mass[k] * set.x[k], start_.y + set.mass[k] * set.y[k]};
   });
-  start_ = {start_.x / mass, start_.y / mass};
+  start_ = {start_.x / mass_, start_.y / mass_};
 }
 
 void ElasticBody::follow(std::span<const Particles> sets, RigidBody& whole) {

@@ -32,6 +32,7 @@ public:
               double spacing);
 
   std::size_t number() const { return number_; }
+  double mass() const { return mass_; } ///< of the particles, kg/m
   const BodySurface& surface() const { return surface_; }
   /// Points along the hole, m; none: it has no hole.
   const std::vector<Vector>& hole() const { return hole_; }
@@ -56,6 +57,7 @@ private:
                                     double angle);
 
   std::size_t number_;
+  double mass_ = 0.0;
   Vector start_; ///< X_c, m
   std::vector<Follower> of_surface_, of_hole_;
   BodySurface surface_;

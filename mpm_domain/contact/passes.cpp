@@ -14,6 +14,7 @@ void meet_bodies(Ground& ground, Contact& contact, Step& step) {
   step.kinetic_off_grid = contact.kinetic_energy();
   EnergyLedger& energy = step.energy;
   energy.gravity += work.gravity;
+  energy.static_ += work.load;
   energy.drag += work.drag;
   energy.friction += work.friction;
   energy.impact += work.impact;

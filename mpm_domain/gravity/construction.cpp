@@ -100,10 +100,10 @@ void carry_over(const Domain& before, Domain& after) {
                   [&](std::size_t s, std::size_t k) { return is_new[s][k]; });
 }
 
-std::vector<std::size_t> removed_structures(const Domain& before, const Domain& after) {
+std::vector<std::size_t> removed_structures(const Domain& before, const std::vector<Structure>& after) {
   std::vector<std::size_t> removed;
   for (std::size_t b = 0; b < before.contact.bodies().size(); ++b)
-    if (!structure_of(after, before.contact.bodies()[b].name()))
+    if (std::ranges::find(after, before.contact.bodies()[b].name(), &Structure::name) == after.end())
       removed.push_back(b);
   return removed;
 }

@@ -27,8 +27,8 @@ namespace tremolo::mpm_domain {
 /// own weight.
 void carry_over(const Domain& before, Domain& after);
 
-/// The structures that are not in the model after, as places in Contact::bodies() of the one before.
-std::vector<std::size_t> removed_structures(const Domain& before, const Domain& after);
+/// The bodies that are not among the structures of the model after, as places in Contact::bodies().
+std::vector<std::size_t> removed_structures(const Domain& before, const std::vector<Structure>& after);
 
 /// c of the nodes of the model after; a placed body begins without forces.
 /// @param f0, f1  forces on the nodes of the model before and of that after, N/m

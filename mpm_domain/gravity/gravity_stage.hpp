@@ -11,24 +11,26 @@
 // critically and every other at the same rate. It ends when the unbalanced force in the free directions,
 // ||f|| over the norm of all nodal weights, is below the stated residual.
 //
-// Other static stages follow: loads on the surface, and construction, which places and removes soil and
-// structures and changes the level of the water (construction.hpp). What they bring goes from 0 to its size
-// along half of a cosine,
+// Other static stages follow: loads on the surface and on structures, and construction, which places and
+// removes soil and structures and changes the level of the water (construction.hpp). What they bring goes
+// from 0 to its size along half of a cosine,
 //
 //     share(t) = (1 - cos(pi t/T))/2,      0 <= t <= T,
 //
 // while the ground is damped as above, and stays; then the stage goes on until all rests. Places, and with
 // them the weights, are kept here too, as in any analysis of small displacements; the way that the soil has
 // gone, u = int v dt, counts as displacement from then on; that of a rigid structure is reported. Static
-// stages are drained unless they say otherwise: what an undrained one has done to the pore pressure is gone
-// at the end of the next drained one.
+// stages are drained unless they say otherwise, for all soils or some: what an undrained one has done to the
+// pore pressure is gone at the end of the next one in which the soil is drained.
 //
 // Structures stand in place, bonded to the soil. Once all rests, bonds become contact with friction, and the
 // stage goes on until all rests again. Where it cannot, since a structure stands on a slope that is too
 // steep for it, say, the bonded state is kept.
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/gravity/begin_history.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -40,13 +42,6 @@
 #include <vector>
 
 namespace tremolo::mpm_domain {
-
-/// Particles of a soil whose stress was more than their law can hold, and has been cut.
-struct CutStress {
-  std::string soil;
-  std::size_t particles = 0;
-  Vector low, high; ///< corners of the box around them, m
-};
 
 /// How far a rigid structure has gone in the stages after gravity, or since it was placed.
 struct StructureWay {
@@ -73,17 +68,28 @@ struct GravitySettings {
   double skin = 0.0;
 };
 
+/// The soils whose pore water moves with the grains in a stage.
+struct UndrainedSoils {
+  bool any = false;
+  std::vector<std::string> names = {}; ///< none: all of them
+
+  bool include(const std::string& soil) const {
+    return any && (names.empty() || std::ranges::find(names, soil) != names.end());
+  }
+};
+
 /// How a stage after gravity goes.
 struct StageSettings {
   double ramp = 0.0;      ///< T, s
   double residual = 1e-9; ///< as in GravitySettings
   double max_time = 60.0; ///< s of relaxation after the ramp
-  bool undrained = false; ///< pore water moves with the grains
+  UndrainedSoils undrained = {};
 };
 
-/// A stage in which a load comes onto the surface.
+/// A stage in which a load comes onto the surface, or onto a structure.
 struct LoadSettings : StageSettings {
-  std::size_t load = 0; ///< index into Spec::loads
+  std::size_t load = 0; ///< index into Spec::loads, or into Spec::structure_loads
+  bool on_structure = false;
 };
 
 /// A stage that changes what the model consists of: after the last of them it is what its Spec says.
@@ -120,13 +126,11 @@ using StageProgress = std::function<void(std::size_t stage, long step, double re
 Reactions relax_under_gravity(Domain& domain, const GravitySettings& settings,
                               const GravityProgress& progress);
 
-/// Takes the model at the end of a stage, which is shown with the displacement it has come to.
-using StageShown = std::function<void(std::size_t stage, Domain& model)>;
-
-/// Does what relax_under_gravity does, and then what the stages after it do, one after the other.
+/// Does what relax_under_gravity does, and then what the stages after it do, one after the other
+/// (static_stages.hpp).
 /// @param domain  the model after the last of them; without construction all of them happen to it
 Reactions bring_to_rest(Domain& domain, const GravitySettings& settings, std::span<const StaticStage> then,
-                        const StageProgress& progress, const StageShown& ended = {});
+                        const StageProgress& progress);
 
 /// After NotAtRest: gives the particles the velocity with which the nodes go on, so that they show where the
 /// soil moves.

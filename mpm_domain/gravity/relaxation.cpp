@@ -117,6 +117,7 @@ void Relaxation::find_forces() {
   if (domain_.has_seepage())
     add_seepage(domain_, domain_.soil_rows);
   domain_.loads.add(domain_.grid);
+  add_loads(domain_.contact, domain_);
 }
 
 std::vector<Vector> Relaxation::forces() {
@@ -180,7 +181,9 @@ void Relaxation::strain(bool undrained) {
 }
 
 Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
-  const bool undrained = course.undrained && domain_.has_pore_pressure();
+  const bool undrained = course.undrained.any && domain_.has_pore_pressure();
+  for (Particles& set : domain_.sets)
+    set.drains = !course.undrained.include(set.soil);
   dt_ = drained_step_;
   if (undrained) {
     dt_ = domain_.spec.scheme.fraction * critical_time_step(domain_, 0.0);
@@ -273,22 +276,11 @@ Reactions Relaxation::reactions() const {
   return reactions;
 }
 
-void Relaxation::show(const std::function<void()>& act) {
-  const std::vector<Particles> sets = domain_.sets;
-  const NodeField vx = domain_.grid.vx_after;
-  const NodeField vy = domain_.grid.vy_after;
-  if (!way_x_.empty())
-    take_way_as_displacement();
-  act();
-  domain_.sets = sets;
-  domain_.grid.vx_after = vx;
-  domain_.grid.vy_after = vy;
-}
-
 void Relaxation::finish() {
   for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
     Particles& set = domain_.sets[s];
     set.law = laws_[s];
+    set.drains = false;
     if (!set.body) {
       set.damping_time = domain_.spec.soils[set.soil_index].damping_time;
       set.relaxation = domain_.spec.soils[set.soil_index].relaxation;

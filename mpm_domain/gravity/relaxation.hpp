@@ -23,7 +23,7 @@ namespace tremolo::mpm_domain {
 /// What changes while a relaxation goes on, and what ends it.
 struct Course {
   bool bonded = false;                         ///< structures stick to the soil, whatever that takes
-  bool undrained = false;                      ///< pore water moves with the grains
+  UndrainedSoils undrained = {};               ///< their pore water moves with the grains
   double ramp = 0.0;                           ///< T, s; 0: nothing grows
   std::function<void(double share)> grow = {}; ///< brings what grows to a share s of its size
   double time = 0.0;                           ///< s within which all must rest, the ramp included
@@ -63,8 +63,6 @@ public:
   /// What a structure presses onto the nodes of the soil at the end of the last course, N/m.
   void add_contact_forces(std::size_t structure, std::vector<Vector>& to) const;
 
-  /// Acts on the domain with the displacement that particles have come to, and leaves it as it was.
-  void show(const std::function<void()>& act);
   /// Gives laws and damping back what they have lost, and particles their displacement.
   void finish();
   /// What the constraints hold at the end.

@@ -42,7 +42,8 @@ struct Particles : ParticleFields {
   double density = 0.0;             ///< of what `mass` is, at the start, kg/m3
   double weight_share = 1.0;        ///< weight over mass times gravity: less than 1 below the water table
   std::optional<PoreWater> water;   ///< of wet particles
-  std::size_t state_size = 0;       ///< doubles per particle in `state`
+  bool drains = false; ///< in a static stage: water has time to flow, so that its pressure stays what it is
+  std::size_t state_size = 0; ///< doubles per particle in `state`
 
   ParticleTraits traits;
   std::vector<ParticleFieldDescription> more_fields; ///< of ParticleFields::more

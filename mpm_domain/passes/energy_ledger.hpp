@@ -49,7 +49,7 @@ struct EnergyLedger {
   double springs = 0.0;  ///< work taken up by springs beside the dashpots
   double gravity = 0.0;
   double input = 0.0;    ///< work of free-field velocity and stress through the boundary faces
-  double static_ = 0.0;  ///< work of the tractions that replaced the constraints, and of surface loads
+  double static_ = 0.0;  ///< work of the tractions that replaced the constraints, and of loads
   double dashpots = 0.0; ///< work of the dashpots on the soil's own velocity, <= 0, and of matched layers
   double transfer = 0.0; ///< gained (> 0) or lost (< 0) between particles and grid: numerical
 

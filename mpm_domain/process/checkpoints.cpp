@@ -1,5 +1,7 @@
 #include "mpm_domain/process/checkpoints.hpp"
 
+#include "mpm_domain/gravity/static_stages.hpp"
+#include "mpm_domain/process/come_to_rest.hpp"
 #include "mpm_domain/state.hpp"
 
 #include <fmt/format.h>
@@ -10,11 +12,12 @@
 namespace tremolo::mpm_domain {
 
 bool Checkpoints::due(long step) const {
-  if (wanted_.keep == 0)
+  const scene::Checkpoints& wanted = scene_.checkpoints;
+  if (wanted.keep == 0)
     return false;
-  if (wanted_.every_steps)
-    return step % *wanted_.every_steps == 0;
-  return coupler::seconds_since(last_) >= wanted_.every_wall;
+  if (wanted.every_steps)
+    return step % *wanted.every_steps == 0;
+  return coupler::seconds_since(last_) >= wanted.every_wall;
 }
 
 void Checkpoints::save(coupler::DomainClient& client, Domain& domain, std::span<const Particles> sets,
@@ -22,6 +25,7 @@ void Checkpoints::save(coupler::DomainClient& client, Domain& domain, std::span<
   try {
     client.checkpoint(stepper.time(), [&](results::CheckpointWriter& file) {
       output.save(file);
+      StaticStages::save_count(static_stage_count(scene_), file);
       domain.boundary.save_rest(file);
       mpm_domain::save(domain, sets, file);
       stepper.save(file);

@@ -14,7 +14,7 @@ namespace tremolo::mpm_domain {
 /// Makes the domain's part of checkpoints when the case wants them.
 class Checkpoints {
 public:
-  explicit Checkpoints(const scene::Checkpoints& wanted) : wanted_(wanted), last_(coupler::Clock::now()) {}
+  explicit Checkpoints(const scene::Case& scene) : scene_(scene), last_(coupler::Clock::now()) {}
 
   /// Whether one is due after a step.
   [[nodiscard]] bool due(long step) const;
@@ -25,7 +25,7 @@ public:
             const Stepper& stepper, RunOutput& output);
 
 private:
-  const scene::Checkpoints& wanted_;
+  const scene::Case& scene_;
   coupler::Clock::time_point last_;
 };
 

@@ -8,14 +8,12 @@
 // the run, the others there or on machines that share its folder.
 
 #include "coupler/participant.hpp"
-#include "mpm_domain/gravity/gravity_stage.hpp"
-#include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_source.hpp"
+#include "mpm_domain/process/come_to_rest.hpp"
 #include "mpm_domain/process/coupled_faces.hpp"
 #include "mpm_domain/process/output/run_output.hpp"
-#include "mpm_domain/process/output/stage_frames.hpp"
 #include "mpm_domain/process/ranks/rank_inputs.hpp"
 #include "mpm_domain/process/ranks/shared_memory.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
@@ -35,7 +33,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -48,86 +45,6 @@
 namespace tremolo::mpm_domain {
 
 namespace {
-
-/// What a user should know of bodies that do not rest on their friction.
-std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t>& bodies) {
-  std::string names;
-  for (const std::size_t b : bodies)
-    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", domain.contact.bodies()[b].name());
-  const bool one = bodies.size() == 1;
-  return fmt::format(
-      "soil and friction cannot hold {} {} under gravity: {} in place until the shaking starts, "
-      "and {} from then on; more friction or a gentler slope would hold {}",
-      one ? "structure" : "structures", names, one ? "it stays" : "they stay", one ? "moves" : "move",
-      one ? "it" : "them");
-}
-
-/// "'clay' (120 particles, x = 3 to 12.5 m, y = -4 to -1 m)", with commas.
-std::string told_of_cut(const std::vector<CutStress>& cut) {
-  std::string text;
-  for (const CutStress& of : cut)
-    text += fmt::format("{}'{}' ({} particle{}, x = {:.4g} to {:.4g} m, y = {:.4g} to {:.4g} m)",
-                        text.empty() ? "" : ", ", of.soil, of.particles, of.particles == 1 ? "" : "s",
-                        of.low.x, of.high.x, of.low.y, of.high.y);
-  return text;
-}
-
-/// "structure 'tower' has moved by 0.4 mm in x and -12 mm in y and turned by 0.01 degrees", with commas.
-std::string told_of_ways(const std::vector<StructureWay>& ways) {
-  std::string text;
-  for (const StructureWay& structure : ways)
-    text += fmt::format("{}'{}' has moved by {:.3g} mm in x and {:.3g} mm in y and turned by {:.3g} degrees",
-                        text.empty() ? "structure " : ", ", structure.name, 1e3 * structure.way.x,
-                        1e3 * structure.way.y, structure.turn * 180.0 / std::numbers::pi);
-  return text;
-}
-
-/// Brings the whole domain to rest and returns the wall time it took, s. All ranks do so. The first one
-/// leaves frames of the stages where there are several.
-/// @param client  null on all ranks but the first
-double come_to_rest(Domain& domain, const scene::Case& scene, const coupler::ParticipantOptions& options,
-                    coupler::DomainClient* client) {
-  coupler::Stopwatch watch;
-  watch.start();
-  const scene::GravityStage& gravity = *scene.gravity;
-  const std::vector<scene::PlannedStage> planned = scene::stages(scene);
-  const auto progress = [&](std::size_t stage, long step, double residual) {
-    if (client != nullptr)
-      client->progress(planned[stage].name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
-  };
-  const std::vector<StaticStage> then = static_settings(scene);
-  StageShown leave;
-  if (client != nullptr && !then.empty())
-    leave = [&](std::size_t stage, Domain& model) {
-      write_stage_frame(stage_folder(options.out, scene, stage), case_of_stage(scene, stage), model,
-                        fmt::format("the frame of the stage '{}'", planned[stage].name));
-    };
-  const Reactions reactions =
-      bring_to_rest(domain, {gravity.residual, gravity.max_time}, then, progress, leave);
-  if (client != nullptr && !reactions.ways.empty())
-    fmt::print("note: {} in the stages before the shaking, in which it is drawn where it was placed\n",
-               told_of_ways(reactions.ways));
-  if (client != nullptr && !reactions.cut.empty())
-    fmt::print("warning: the laws of these soils cannot hold the stress at rest and have cut it: {} of "
-               "{} particles; the soil there is not at rest, a gentler slope or stronger soil would be\n",
-               told_of_cut(reactions.cut), domain.particle_count());
-  if (client != nullptr && reactions.slipping)
-    fmt::print("warning: {}\n", told_of_slipping(domain, reactions.slipping_bodies));
-  replace_constraints(domain, reactions);
-  watch.stop();
-  return watch.seconds();
-}
-
-/// Leaves a frame of ground that has found no rest: its velocities show where it moves.
-/// @returns the sentence that says so
-std::string leave_frame(Domain& domain, const scene::Case& scene, const coupler::ParticipantOptions& options,
-                        const NotAtRest& failure) {
-  take_velocities_of_nodes(domain);
-  write_stage_frame(options.out, case_of_stage(scene, failure.stage), domain, failure.what());
-  const std::string stage =
-      failure.stage == 0 ? "" : fmt::format("stage '{}': ", scene::stages(scene)[failure.stage].name);
-  return fmt::format("{}{}; the frame in run.h5 shows where the ground moves", stage, failure.what());
-}
 
 /// Rank 0 asks the coupler for the free field and passes it to all others.
 FreeFieldSource coupled_source(const Domain& domain, CoupledFaces& faces, coupler::DomainClient* client,
@@ -154,8 +71,8 @@ struct StageEnd {
   double time = 0.0;
 };
 
-/// The end of a stage; without a name, of the last one. Of those before the shaking only the last one leaves
-/// a state to go on from.
+/// The end of a stage; without a name, of the last one. A run that ends after a static stage other than the
+/// last one does not come here.
 StageEnd end_of(const scene::Case& scene, const std::string& stage) {
   const auto timed = std::ranges::find(scene.timed, stage, &scene::TimedStage::name);
   if (timed != scene.timed.end())
@@ -171,7 +88,7 @@ public:
                  const CoupledFaces& faces, const StageEnd& stop)
       : client_(client), scene_(scene), domain_(domain), snapshot_(snapshot), end_(scene.end()), stop_(stop),
         output_(options.out, scene, scene::to_json(scene, plan), domain, snapshot, faces.sources()),
-        checkpoints_(scene.checkpoints) {}
+        checkpoints_(scene) {}
 
   RunOutput& output() { return output_; }
   /// What of the snapshot it needs after a step.
@@ -199,8 +116,7 @@ public:
     if (stop_.time < end_) {
       if (stepper.steps() == 0)
         output_.write_before_shaking(stepper);
-      const std::string reason =
-          fmt::format("ended after the stage '{}', as was asked; tremolo resume goes on", stop_.stage);
+      const std::string reason = ended_after(stop_.stage);
       fmt::print("note: {}\n", reason);
       abort(reason);
     } else {
@@ -322,17 +238,21 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   if (ranks != nullptr)
     require_shareable(spec);
   Domain domain(spec);
-  const auto saved = coupler::saved_state(options);
-  if (saved)
+  auto saved = coupler::saved_state(options);
+  const bool before_shaking = saved && is_before_shaking(scene, *saved);
+  if (saved && !before_shaking)
     domain.boundary.restore_rest(domain, *saved);
   double gravity_seconds = 0.0;
-  try {
-    if (scene.gravity && !saved)
-      gravity_seconds = come_to_rest(domain, scene, options, client);
-  } catch (const NotAtRest& failure) {
-    if (client == nullptr)
-      throw;
-    throw std::runtime_error(leave_frame(failure.model ? *failure.model : domain, scene, options, failure));
+  if (scene.gravity && (!saved || before_shaking)) {
+    const AtRest rest = come_to_rest(domain, {scene, plan, options, client}, saved.get(), until);
+    if (rest.ended)
+      return;
+    gravity_seconds = rest.seconds;
+  }
+  if (before_shaking) { // there is nothing of the shaking to go on from
+    saved.reset();
+    if (client != nullptr)
+      std::filesystem::remove(options.out / "run.h5");
   }
   shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks, end_of(scene, until));
 }

@@ -75,13 +75,17 @@ std::vector<Structure> structures_of(const std::vector<scene::Structure>& struct
 
 std::vector<StaticStage> static_settings(const scene::Case& scene) {
   std::vector<StaticStage> stages;
-  std::size_t loads = 0;
+  std::size_t on_surface = 0;
+  std::size_t on_structures = 0;
   for (const scene::BeforeShaking& stage : scene::static_stages(scene)) {
     const auto settings = [&](const scene::StaticStage& of) {
-      return StageSettings{scene::ramp_of(scene, of), of.residual, of.max_time, of.undrained};
+      return StageSettings{scene::ramp_of(scene, of), of.residual, of.max_time,
+                           UndrainedSoils{of.undrained, of.undrained_soils()}};
     };
     if (const auto* load = std::get_if<const scene::LoadStage*>(&stage))
-      stages.emplace_back(LoadSettings{settings(**load), loads++});
+      stages.emplace_back(LoadSettings{settings(**load),
+                                       (*load)->on_structure() ? on_structures++ : on_surface++,
+                                       (*load)->on_structure()});
     else {
       const auto& construction = *std::get<const scene::ConstructionStage*>(stage);
       stages.emplace_back(ConstructionSettings{
@@ -114,7 +118,10 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                         return !stage.before.structures.empty();
                       });
   for (const scene::LoadStage& load : scene.loads)
-    spec.loads.push_back({load.x_min, load.x_max, load.pressure, load.shear});
+    if (load.on_structure())
+      spec.structure_loads.push_back({load.structure, {load.force.x, load.force.y}});
+    else
+      spec.loads.push_back({load.x_min, load.x_max, load.pressure, load.shear});
   spec.normals = scene.mesh.contact_normals;
   spec.scheme = {.transfer = scene.time.transfer,
                  .order = scene.time.order,

@@ -77,6 +77,12 @@ struct SurfaceLoad {
   double shear = 0.0;    ///< along it, towards +x, Pa
 };
 
+/// A load on a structure (contact/structure_loads.hpp).
+struct StructureLoad {
+  std::string structure; ///< its name
+  Vector force;          ///< at its centroid, N/m
+};
+
 /// Everything the domain is built from.
 struct Spec {
   Box box;                    ///< model; its left, right and lower edges carry boundary faces
@@ -91,6 +97,7 @@ struct Spec {
   std::vector<Region> regions;
   std::vector<Structure> structures = {};
   std::vector<SurfaceLoad> loads = {};
+  std::vector<StructureLoad> structure_loads = {};
   /// Squares of particles are cut at the edges of regions even where there are no structures, since the model
   /// of another stage has some (plot.hpp).
   bool cut_at_edges = false;

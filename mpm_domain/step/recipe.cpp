@@ -4,6 +4,7 @@
 #include "mpm_domain/boundary/passes/passes.hpp"
 #include "mpm_domain/boundary/walls/impervious_faces.hpp"
 #include "mpm_domain/contact/passes.hpp"
+#include "mpm_domain/contact/structure_loads.hpp"
 #include "mpm_domain/step/node_passes.hpp"
 #include "mpm_domain/step/step_passes.hpp"
 #include "mpm_domain/transfer/passes/passes.hpp"
@@ -22,6 +23,7 @@ std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
   add(node_passes(domain));
   add(face_passes(domain, domain.boundary, free_field));
   add(load_passes(domain, domain.loads));
+  add(structure_load_passes(domain, domain.contact));
   add(wall_passes(domain, domain.boundary));
   add(node_books(domain));
   add(water_passes(domain));

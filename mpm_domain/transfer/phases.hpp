@@ -160,11 +160,11 @@ struct WaterPhase {
 };
 
 /// What water takes off the weight of a group of particles of a set under water from k on, N/m, and their
-/// pore volume V n where there is a pore pressure, m2.
+/// pore volume V n where its pressure follows the change of volume, m2.
 template <typename Group>
 std::array<Lanes, 2> numbers_of_water(const Particles& p, std::size_t k, Group group, double gravity) {
   const Lanes lift = (1.0 - p.weight_share) * gravity * group.load(&p.mass[k]);
-  return {lift, p.traits.wet ? pore_volume(p, k, group) : Lanes{}};
+  return {lift, takes_pressure(p) ? pore_volume(p, k, group) : Lanes{}};
 }
 
 } // namespace tremolo::mpm_domain

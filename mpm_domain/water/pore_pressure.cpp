@@ -17,10 +17,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-bool is_wet(const Particles& p) {
-  return p.traits.wet;
-}
-
 WaitingPressures& waiting_of(Ground& ground, const Particles& p) {
   return ground.waiting_pressures[static_cast<std::size_t>(&p - ground.sets.data())];
 }
@@ -51,7 +47,7 @@ void average_in_cells(Ground& ground, const OfTile& of_tile, const OfAcross& of_
                       for (std::size_t s = 0; s < ground.sets.size(); ++s) {
                         const Particles& p = ground.sets[s];
                         const ParticleRange range = p.in_block(ground.block(0, tile));
-                        if (!is_wet(p) || range.begin == range.end)
+                        if (!takes_pressure(p) || range.begin == range.end)
                           continue;
                         any = true;
                         of_tile(s, range, tile);
@@ -64,10 +60,10 @@ void average_in_cells(Ground& ground, const OfTile& of_tile, const OfAcross& of_
                     });
   ground.workers.run(tiles.across.size(), [&](std::size_t task) {
     const AcrossTile& tile = tiles.across[task];
-    if (is_wet(ground.sets[tile.set]))
+    if (takes_pressure(ground.sets[tile.set]))
       of_across(tile.set, tile);
   });
-  complete_cells(ground, tiles, is_wet, [&](std::size_t s, std::size_t k) {
+  complete_cells(ground, tiles, takes_pressure, [&](std::size_t s, std::size_t k) {
     return CellValues{ground.waiting_pressures[s].cell[k], pore_volume(ground.sets[s], k), product(s, k)};
   });
   Grid& grid = ground.grid;
@@ -130,7 +126,7 @@ void average_at_nodes(Ground& ground, std::span<const NodeRange> nodes, std::spa
   add_sums(
       ground, 0, fields,
       [&](const Particles& p, std::size_t tile, double* window) {
-        if (!is_wet(p))
+        if (!takes_pressure(p))
           return RowRange{};
         return scatter_scalars<1>(
             ground, p, 0, tile, window, Sum::compression,
@@ -139,7 +135,7 @@ void average_at_nodes(Ground& ground, std::span<const NodeRange> nodes, std::spa
       [&](AcrossTile& tile) {
         const Particles& p = ground.sets[tile.set];
         add_across_tile(tile, fields.front(), [&](std::size_t k, const FourWeights& w, const auto& add) {
-          if (is_wet(p))
+          if (takes_pressure(p))
             add(fields.front().first, compression_of(ground, p, k, FewerThanFour(1))[0] * w.s);
         });
       });
@@ -197,7 +193,7 @@ ExactSums<1> take_pressures(Ground& ground) {
   std::vector<std::array<double, 1>> works(blocks);
   ground.workers.run(blocks, [&](std::size_t block) {
     for (Particles& p : ground.sets)
-      if (is_wet(p)) {
+      if (takes_pressure(p)) {
         const ParticleRange range = p.in_block(block);
         works[block][0] += take_pressures(ground, p, range.begin, range.end);
       }
@@ -210,7 +206,7 @@ ExactSums<1> take_pressures(Ground& ground) {
 ExactSums<1> update_pressures(Ground& ground, double dt, const NodeField& flux_x, const NodeField& flux_y,
                               std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
   for (std::size_t s = 0; s < ground.sets.size(); ++s)
-    if (is_wet(ground.sets[s]))
+    if (takes_pressure(ground.sets[s]))
       ground.waiting_pressures[s].resize(ground.sets[s].size());
   compress(ground, dt, flux_x, flux_y);
   average_at_nodes(ground, nodes, ties);

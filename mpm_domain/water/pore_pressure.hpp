@@ -35,7 +35,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Brings the pore pressures of all wet particles over a step of dt (s), before they move. The nodes have the
+/// Brings the pore pressures of all wet particles that do not drain in a static stage over a step of dt (s),
+/// before they move. The nodes have the
 /// sums of scatter_mixture().
 /// @param flux_x,flux_y  v_s + n w at the nodes, tied ones too, m/s
 /// @param ties           rows of the prolongation whose tied nodes particles touch

@@ -80,6 +80,8 @@ std::string type_text(const Key& key) {
     return "integer";
   case Type::choice:
     return "string";
+  case Type::choice_by_name:
+    return "string, or table { NAME = string }";
   case Type::texts:
   case Type::choices:
     return "array of strings";

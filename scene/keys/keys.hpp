@@ -16,11 +16,12 @@ enum class Type {
   text,
   number,
   integer,
-  choice,           ///< one of Key::choices
-  texts,            ///< an array of at least one text, each at most once
-  choices,          ///< an array of them, each at most once
-  boolean,          ///< true or false
-  numbers,          ///< an array of Key::count numbers
+  choice,         ///< one of Key::choices
+  choice_by_name, ///< the same, or a table that has one for each of some names; for others the default holds
+  texts,          ///< an array of at least one text, each at most once
+  choices,        ///< an array of them, each at most once
+  boolean,        ///< true or false
+  numbers,        ///< an array of Key::count numbers
   numbers_or_false, ///< the same, or false, which has none
   series,           ///< a number, or an array of at least one
   polygon,          ///< an array of at least three points [x, y]

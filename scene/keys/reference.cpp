@@ -138,6 +138,10 @@ ordered_json profile_schema(const Key& key) {
                            {"exponent", {{"type", "number"}, {"minimum", 0.0}, {"maximum", 2.0}}}})}}};
 }
 
+ordered_json choice_schema(const Key& key) {
+  return {{"type", "string"}, {"enum", key.choices}};
+}
+
 ordered_json value_schema(const Key& key) {
   switch (key.type) {
   case Type::text:
@@ -147,7 +151,11 @@ ordered_json value_schema(const Key& key) {
   case Type::integer:
     return number_schema(key);
   case Type::choice:
-    return {{"type", "string"}, {"enum", key.choices}};
+    return choice_schema(key);
+  case Type::choice_by_name:
+    return {{"anyOf",
+             {choice_schema(key),
+              {{"type", "object"}, {"additionalProperties", choice_schema(key)}, {"minProperties", 1}}}}};
   case Type::boolean:
     return {{"type", "boolean"}};
   case Type::texts: {
@@ -178,7 +186,7 @@ ordered_json key_schema(const Key& key) {
   ordered_json schema = value_schema(key);
   schema["description"] =
       meaning(key) + (key.unit.empty() || key.unit == "1" ? "" : fmt::format(" Unit: {}.", key.unit));
-  if (key.type == Type::choice && !key.fallback.empty())
+  if ((key.type == Type::choice || key.type == Type::choice_by_name) && !key.fallback.empty())
     schema["default"] = key.fallback;
   if (key.type == Type::boolean && !key.fallback.empty())
     schema["default"] = key.fallback == "true";

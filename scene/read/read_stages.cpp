@@ -34,6 +34,21 @@ std::string read_name(const TableReader& table, const std::string& kind, std::ve
   return name;
 }
 
+/// What pore water does, in all soils or soil by soil.
+void read_drainage(StaticStage& stage, const TableReader& table, const std::string& kind,
+                   Findings& findings) {
+  stage.undrained = table.choice<StageDrainage>("drainage") == StageDrainage::undrained;
+  for (const auto& [soil, word] : table.words_by_name("drainage")) {
+    stage.drainage.emplace(soil, *value_named<StageDrainage>(word));
+    stage.undrained = stage.undrained || !stage.undrained_soils().empty();
+  }
+  if (kind == "water" && !stage.drainage.empty())
+    findings.add(
+        table.path("drainage"),
+        "'drainage' of a stage of kind \"water\" must be \"drained\" or \"undrained\" for all soils: "
+        "the level up to which soil stays wet is one");
+}
+
 /// What static stages after gravity have in common.
 void read_static(StaticStage& stage, const TableReader& table, const std::string& name, const Case& so_far,
                  Findings& findings) {
@@ -41,9 +56,9 @@ void read_static(StaticStage& stage, const TableReader& table, const std::string
   stage.ramp = table.optional_number("ramp_s");
   stage.residual = table.number("residual");
   stage.max_time = table.number("max_time_s");
-  stage.undrained = table.choice<StageDrainage>("drainage") == StageDrainage::undrained;
   stage.path = table.path();
   const std::string kind = table.text("kind");
+  read_drainage(stage, table, kind, findings);
   const char* const suffix = kind == "water" ? " stage" : "";
   if (!so_far.timed.empty())
     findings.add(table.path("kind"), fmt::format("a {}{} must come before the shaking stage", kind, suffix));
@@ -53,7 +68,31 @@ void read_static(StaticStage& stage, const TableReader& table, const std::string
                              suffix));
 }
 
+/// A load on a structure, which has no place and no pressure of its own.
+LoadStage read_load_on_structure(const TableReader& table, Findings& findings) {
+  LoadStage load;
+  load.structure = table.text("structure");
+  for (const char* const key : {"x_m", "pressure_pa", "shear_pa"})
+    if (table.given(key))
+      findings.add(table.path(key),
+                   fmt::format("'{}' is of a load on the surface, and this one is on the structure '{}': "
+                               "leave one of both out",
+                               key, load.structure));
+  if (!table.given("force_n_per_m"))
+    findings.add(table.path("force_n_per_m"),
+                 "missing 'force_n_per_m' = [fx, fy]: what acts on the structure");
+  load.force = table.point("force_n_per_m");
+  return load;
+}
+
 LoadStage read_load(const TableReader& table, Findings& findings) {
+  if (table.given("structure"))
+    return read_load_on_structure(table, findings);
+  if (table.given("force_n_per_m"))
+    findings.add(table.path("force_n_per_m"),
+                 "'force_n_per_m' is of a load on a structure: give 'structure', its name");
+  if (!table.given("x_m"))
+    findings.add(table.path("x_m"), "missing 'x_m' or 'structure': where the load acts");
   const auto ends = table.numbers("x_m");
   if (ends.size() == 2 && !(ends[0] < ends[1]))
     findings.add(table.path("x_m"), fmt::format("'x_m' = [{:g}, {:g}] goes from right to left: the first end "

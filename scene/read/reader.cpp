@@ -171,6 +171,12 @@ void TableReader::read(const Key& key) {
 std::string TableReader::shown_value(const Key& key, const Value& value) const {
   if (key.type == Type::boolean)
     return std::get<std::string>(value);
+  if (const auto named = by_name_.find(key.name); named != by_name_.end()) {
+    std::string text;
+    for (const auto& [name, word] : named->second)
+      text += fmt::format("{} {} = \"{}\"", text.empty() ? "" : ",", name, word);
+    return fmt::format("{{{} }}", text);
+  }
   if (key.over_depth && reading_.profiles != nullptr)
     if (const auto profile = reading_.profiles->find(path(key.name)); profile != reading_.profiles->end())
       return scene::text(profile->second);
@@ -224,6 +230,8 @@ std::optional<TableReader::Value> TableReader::convert(const Key& key, const tom
   case Type::text:
   case Type::choice:
     return convert_text(key, node);
+  case Type::choice_by_name:
+    return convert_choice_by_name(key, node);
   case Type::boolean:
     return convert_boolean(key, node);
   case Type::numbers:
@@ -311,11 +319,32 @@ std::optional<std::string> TableReader::convert_text(const Key& key, const toml:
         key, node,
         fmt::format("'{}' = \"{}\" holds a control character or the end of a line, must be plain text",
                     key.name, value));
-  if (key.type == Type::choice && std::ranges::find(key.choices, value) == key.choices.end())
+  if (!key.choices.empty() && std::ranges::find(key.choices, value) == key.choices.end())
     return refuse(
         key, node,
         fmt::format("'{}' = \"{}\" is not known, {}", key.name, value, suggestion(value, key.choices)));
   return value;
+}
+
+/// Where the choice goes by names, the default is kept for others.
+std::optional<std::string> TableReader::convert_choice_by_name(const Key& key, const toml::node& node) {
+  const toml::table* const table = node.as_table();
+  if (table == nullptr && node.is_string())
+    return convert_text(key, node);
+  if (table == nullptr || table->empty())
+    return refuse(key, node,
+                  fmt::format("'{}' must be a {}, found {}", key.name, type_text(key),
+                              table == nullptr ? type_name(node) : "an empty table"));
+  for (const auto& [name, element] : *table) {
+    const auto begin = name.source().begin;
+    reading_.findings.locate(fmt::format("{}.{}", path(key.name), name.str()),
+                             {begin.line, begin.column, shown_});
+    const auto word = convert_text(key, element);
+    if (!word)
+      return std::nullopt;
+    by_name_[key.name].emplace(name.str(), *word);
+  }
+  return std::string(key.fallback);
 }
 
 /// Kept as the word that stands in the file.
@@ -440,6 +469,10 @@ std::optional<double> TableReader::optional_number(std::string_view key) const {
 
 std::string TableReader::text(std::string_view key) const {
   return get<std::string>(key);
+}
+std::map<std::string, std::string> TableReader::words_by_name(std::string_view key) const {
+  const auto found = by_name_.find(key);
+  return found == by_name_.end() ? std::map<std::string, std::string>{} : found->second;
 }
 std::vector<double> TableReader::numbers(std::string_view key) const {
   return get<std::vector<double>>(key);

@@ -72,6 +72,8 @@ public:
   Enum choice(std::string_view key) const {
     return value_named<Enum>(text(key)).value_or(words(Enum{}).front().value);
   }
+  /// What a key of Type::choice_by_name says of names; empty where it has one choice for all.
+  std::map<std::string, std::string> words_by_name(std::string_view key) const;
   /// Of Type::numbers or Type::series.
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;
@@ -103,6 +105,7 @@ private:
   std::optional<double> convert_number(const Key& key, const toml::node& node);
   std::optional<double> convert_profile(const Key& key, const toml::table& node);
   std::optional<std::string> convert_text(const Key& key, const toml::node& node);
+  std::optional<std::string> convert_choice_by_name(const Key& key, const toml::node& node);
   std::optional<std::string> convert_boolean(const Key& key, const toml::node& node);
   std::optional<Value> convert_numbers(const Key& key, const toml::node& node);
   std::optional<Value> convert_elements(const Key& key, const toml::array& array);
@@ -121,6 +124,7 @@ private:
   Reading reading_;
   LibraryKeys library_;
   std::map<std::string_view, Value> values_;
+  std::map<std::string_view, std::map<std::string, std::string>> by_name_; ///< of choices
   std::set<std::string_view> settled_;
 };
 

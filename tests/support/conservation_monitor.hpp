@@ -55,6 +55,9 @@ public:
     const double dt = stepper.kick();
     add_impulse({0.0, -domain_.spec.gravity * start_.weighing_mass}, dt);
     over_rigid([&](std::size_t b) { add_impulse(domain_.contact.forces(b).weight.force, dt); });
+    for (std::size_t b = 0; b < domain_.contact.bodies().size(); ++b)
+      if (domain_.contact.is_elastic(b))
+        add_impulse(domain_.contact.structure_loads().on(b), dt);
     const mpm_domain::Boundary& boundary = domain_.boundary;
     for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
       const mpm_domain::Vector t = boundary.traction(f);

@@ -5,6 +5,11 @@
 
 namespace tremolo::mpm_domain {
 
+/// Whether the pressure of its water follows the change of volume.
+inline bool takes_pressure(const Particles& p) {
+  return p.traits.wet && !p.drains;
+}
+
 /// V n of a group of wet particles from k on, m2
 template <typename Group>
 Lanes pore_volume(const Particles& p, std::size_t k, Group group) {

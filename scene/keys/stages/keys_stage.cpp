@@ -19,8 +19,9 @@ Table stage_table() {
           choice(
               "kind", {"gravity", "load", "construction", "water", "shaking", "rest"},
               "`gravity`: base fixed, sides on rollers, brought to rest by damped relaxation; what held the "
-              "model then acts as static traction. `load`: a load comes onto the surface and stays, and the "
-              "ground comes to rest under it in the same way. `construction`: soil and structures are placed "
+              "model then acts as static traction. `load`: a load comes onto the surface, or onto a "
+              "structure, and stays, and the ground comes to rest under it in the same way. `construction`: "
+              "soil and structures are placed "
               "and removed, likewise. `water`: it has other levels, likewise. `shaking`: the motion enters, "
               "t = 0 at its "
               "start. `rest`: "
@@ -61,12 +62,13 @@ Table stage_table() {
            .otherwise = "nothing",
            .when = {"kind", {"construction"}}},
           {.name = "drainage",
-           .type = Type::choice,
+           .type = Type::choice_by_name,
            .meaning =
                "What pore water does in the stage. `drained`: it has time to flow, and the grains take all "
                "of the change. `undrained`: it moves with the grains of soils that are not `drained` "
                "themselves; the excess pressure lasts until a drained stage, or flows off while the "
-               "ground is shaken and rests.",
+               "ground is shaken and rests. In a `load` or a `construction` it can be said soil by soil, "
+               "`{ clay = \"undrained\" }`; soils that are not named are drained.",
            .fallback = scene::name(StageDrainage::drained),
            .choices = all_words<StageDrainage>(),
            .when = {"kind", {"load", "construction", "water"}}},
@@ -74,7 +76,7 @@ Table stage_table() {
            .type = Type::numbers,
            .unit = "m",
            .meaning = "Where the load begins and ends: it lies on the uppermost soil between.",
-           .required = true,
+           .otherwise = "required, but with `structure`",
            .count = 2,
            .form = "[x_min, x_max]",
            .when = {"kind", {"load"}}},
@@ -89,6 +91,21 @@ Table stage_table() {
            .meaning = "Along the surface, towards +x.",
            .fallback = "0",
            .range = {.low = -1e8, .high = 1e8},
+           .when = {"kind", {"load"}}},
+          {.name = "structure",
+           .type = Type::text,
+           .meaning = "Name of the structure that carries the load.",
+           .otherwise = "it lies on the surface",
+           .when = {"kind", {"load"}}},
+          {.name = "force_n_per_m",
+           .type = Type::numbers,
+           .unit = "N/m",
+           .meaning = "Force at the centroid of the structure, per metre out of plane; an elastic structure "
+                      "takes it spread as its mass is.",
+           .otherwise = "required with `structure`",
+           .range = {.low = -1e10, .high = 1e10},
+           .count = 2,
+           .form = "[fx, fy]",
            .when = {"kind", {"load"}}},
           {.name = "ramp_s",
            .unit = "s",

@@ -18,11 +18,20 @@ PlannedStage gravity(const GravityStage& stage) {
           fmt::format("until at rest to {:g}, at most {:g} s of relaxation", stage.residual, stage.max_time)};
 }
 
+/// "undrained, " or "undrained in 'clay' and 'silt', "; empty: all is drained.
+std::string drainage_text(const StaticStage& stage) {
+  if (!stage.undrained)
+    return "";
+  std::string soils;
+  for (const std::string& soil : stage.undrained_soils())
+    soils += fmt::format("{} '{}'", soils.empty() ? " in" : " and", soil);
+  return fmt::format("undrained{}, ", soils);
+}
+
 /// How long a static stage lasts.
 std::string relaxation(const Case& scene, const StaticStage& stage) {
   return fmt::format("grows in {:.3g} s of relaxation, {}then until at rest to {:g}, at most {:g} s",
-                     ramp_of(scene, stage), stage.undrained ? "undrained, " : "", stage.residual,
-                     stage.max_time);
+                     ramp_of(scene, stage), drainage_text(stage), stage.residual, stage.max_time);
 }
 
 PlannedStage construction(const Case& scene, const ConstructionStage& stage) {
@@ -41,6 +50,11 @@ PlannedStage construction(const Case& scene, const ConstructionStage& stage) {
 }
 
 PlannedStage load(const Case& scene, const LoadStage& stage) {
+  if (stage.on_structure())
+    return {stage.name, "load",
+            fmt::format("force of [{:g}, {:g}] N/m on the structure '{}', which stays", stage.force.x,
+                        stage.force.y, stage.structure),
+            relaxation(scene, stage)};
   std::string what;
   if (stage.pressure != 0.0)
     what = fmt::format("pressure of {:g} Pa", stage.pressure);

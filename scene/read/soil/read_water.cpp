@@ -110,10 +110,10 @@ namespace {
 /// A load that water has time to leave comes after a change of the water that it has not.
 void refuse_drained_loads(const Case& scene, std::size_t first, std::size_t end, Findings& findings) {
   for (std::size_t l = first; l < end; ++l)
-    if (const LoadStage& load = scene.loads[l]; !load.undrained)
+    if (const LoadStage& load = scene.loads[l]; !load.undrained || !load.drainage.empty())
       findings.add(load.path + ".drainage",
                    fmt::format("the load '{}' is drained, and soil above the water has not drained since an "
-                               "undrained stage before it: make the load undrained too, or let a drained "
+                               "undrained stage before it: make all of the load undrained, or let a drained "
                                "stage of kind \"water\" or \"construction\" come between",
                                load.name));
 }
@@ -124,6 +124,11 @@ void follow_stages(Case& scene, Findings& findings) {
     ConstructionStage& stage = scene.constructions[c];
     stage.before.water = scene.water;
     std::optional<double> still_wet = stage.undrained ? scene.water->still_wet : std::nullopt;
+    if (still_wet && !stage.drainage.empty())
+      findings.add(stage.path + ".drainage",
+                   fmt::format("soil above the water has not drained since an undrained stage before '{}', "
+                               "and stays wet in all soils or in none: give \"undrained\" or \"drained\"",
+                               stage.name));
     if (stage.undrained && stage.water) {
       if (!stage.water->is_level() || !scene.water->is_level())
         findings.add(

@@ -1,5 +1,5 @@
-// A load stays on the soil that carries it from its stage on. Soil that comes or goes between its ends would
-// bury it, or take it away.
+// A load stays on the soil or the structure that carries it from its stage on. Soil that comes or goes
+// between its ends would bury it, or take it away, and so would a structure that goes.
 
 #include "scene/rules/rules.hpp"
 
@@ -34,6 +34,14 @@ void constructions_spare_loads(const Case& scene, Findings& findings) {
     const std::vector<Region>& after =
         c + 1 < scene.constructions.size() ? scene.constructions[c + 1].before.regions : scene.regions;
     for (const LoadStage& load : std::span(scene.loads).first(stage.loads_before)) {
+      if (load.on_structure()) {
+        if (std::ranges::find(stage.remove, load.structure) != stage.remove.end())
+          findings.add(stage.path + ".remove",
+                       fmt::format("'{}' carries the load '{}', which stays: a structure that goes cannot "
+                                   "be loaded before",
+                                   load.structure, load.name));
+        continue;
+      }
       const auto refuse = [&](const char* key, const Region* region) {
         if (region != nullptr)
           findings.add(stage.path + key,

@@ -85,7 +85,7 @@ void loads_act_on_ground(const Case& scene, Findings& findings) {
   if (scene.loads.empty() || !mesh_is_sound(scene, findings) || !findings.sound("region"))
     return;
   for (const LoadStage& load : scene.loads) {
-    if (!findings.sound(load.path + ".x_m"))
+    if (load.on_structure() || !findings.sound(load.path + ".x_m"))
       continue;
     const auto refuse = [&](const std::string& key, const std::string& why) {
       findings.add(load.path + key, fmt::format("the load '{}' {}", load.name, why));
@@ -100,7 +100,7 @@ void loads_act_on_ground(const Case& scene, Findings& findings) {
     if (const Structure* const above = structure_above(scene, load))
       refuse(".x_m",
              fmt::format("lies where the structure '{}' is, from x = {:g} to {:g} m, and acts on soil "
-                         "alone: end it beside the structure, or give that one the weight",
+                         "alone: end it beside the structure, or load that one, by 'structure'",
                          above->name, extent(*above).first, extent(*above).second));
     if (scene.time.subcycle)
       refuse("", "does not go with [time] subcycle = true yet: leave the key out");

@@ -22,6 +22,8 @@ void loads_are_far_from_sides(const Case& scene, Findings& findings) {
     return;
   const Box& box = scene.mesh.box;
   for (const LoadStage& load : scene.loads) {
+    if (load.on_structure())
+      continue;
     const double width = load.x_max - load.x_min;
     const double distance = std::min(load.x_min - box.x_min, box.x_max - load.x_max);
     if (findings.sound(load.path + ".x_m") && distance < wanted_widths * width)

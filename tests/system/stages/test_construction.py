@@ -14,7 +14,7 @@ sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests" / "system" / "runs"
 
 import numpy as np
 import small_case
-from broken_run import goes_on_with_the_same_bits, whole_run, with_checkpoints
+from broken_run import differences, goes_on_with_the_same_bits, resumed, whole_run, with_checkpoints
 from tremolo.pictures import stages
 from tremolo.run import Run
 
@@ -88,7 +88,7 @@ kind = "construction"
 name = "build"
 place = ["block", "bank"]
 residual = 1e-6
-
+{loads}
 [[stage]]
 kind = "shaking"
 duration_s = 0.4
@@ -106,7 +106,17 @@ fields = ["displacement", "stress", "state"]
 
 
 class DugWorkspace(small_case.Workspace):
-    template, defaults = CASE, {"cohesion": "20e3", "patience": 60.0}
+    template, defaults = CASE, {"cohesion": "20e3", "patience": 60.0, "loads": ""}
+
+
+ON_BLOCK = """
+[[stage]]
+kind = "load"
+name = "machine"
+structure = "block"
+force_n_per_m = [2e3, -30e3]
+residual = 1e-6
+"""
 
 
 class Construction(unittest.TestCase):
@@ -135,6 +145,36 @@ class Construction(unittest.TestCase):
             for picture in "stages.png", "shear_bands.png":  # there are no accelerations to choose times by
                 self.assertIn(picture, drawn.stdout)
             goes_on_with_the_same_bits(self, work, whole)
+
+    def test_a_run_that_ends_after_any_static_stage_goes_on_from_it(self):
+        with DugWorkspace(TREMOLO, loads=ON_BLOCK) as work:
+            listed = work.command("explain", work.case).stdout
+            self.assertIn("force of [2000, -30000] N/m on the structure 'block', which stays", listed)
+            whole = whole_run(work)
+            block = Run(whole / "run.h5").body("block")
+            weight = 9.81 * block.mass + 30e3
+            self.assertAlmostEqual(-weight, block["weight_y"][0], delta=1e-6 * weight)
+            self.assertAlmostEqual(weight, block["normal_y"][1] + block["friction_y"][1], delta=0.01 * weight)
+            for count, stage in enumerate(("gravity", "dig", "build", "machine"), 1):
+                folder = work.run(stage, "--threads", 1, "--until", stage)
+                part = Run(folder / "run.h5")
+                self.assertIn(f"ended after the stage '{stage}'", part.status)
+                self.assertEqual(["block"] if count > 2 else [], list(part.bodies))
+                self.assertEqual(count, len(stages.frames(part)))
+                result = resumed(work, folder)
+                self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+                self.assertEqual([], differences(folder, whole))
+                for (name, frame), (_, of_whole) in zip(stages.frames(Run(folder / "run.h5")), stages.frames(Run(whole / "run.h5")), strict=True):
+                    self.assertTrue(np.array_equal(frame.field(0, "stress"), of_whole.field(0, "stress")), name)
+            settled = [frame.body("block").outline[:, 1].min() for _, frame in stages.frames(Run(whole / "run.h5"))[2:]]
+            self.assertLess(settled[1], settled[0] - 1e-5)  # frames show the block where it has gone
+            self.assertIn("nothing to go on with", resumed(work, folder).stderr)
+
+    def test_a_run_that_keeps_no_checkpoint_cannot_end_early(self):
+        with with_checkpoints(DugWorkspace(TREMOLO), keep=0) as work:
+            result = work.command("run", work.case, "--until", "dig")
+            self.assertNotEqual(0, result.returncode)
+            self.assertIn("--until dig: the case keeps no checkpoint to go on from", result.stdout + result.stderr)
 
     def test_a_pit_that_does_not_stand_leaves_a_frame(self):
         with DugWorkspace(TREMOLO, cohesion="1e3", patience=3.0) as work:

@@ -38,7 +38,7 @@ class Load(unittest.TestCase):
     def test_a_run_that_ends_after_a_stage_goes_on_from_it(self):
         with RestWorkspace(TREMOLO, **CHANGES | {"rest": rest(0.2), "shaking": 0.3}) as work:
             whole = work.run("whole", "--threads", 1)
-            for stage, end in ("fill", 0.0), ("shaking", 0.3):
+            for stage, end in ("gravity", 0.0), ("fill", 0.0), ("shaking", 0.3):
                 folder = work.run(stage, "--threads", 1, "--until", stage)
                 part = Run(folder / "run.h5")
                 self.assertIn(f"ended after the stage '{stage}'", part.status)
@@ -46,10 +46,9 @@ class Load(unittest.TestCase):
                 result = resumed(work, folder)
                 self.assertEqual(0, result.returncode, result.stdout + result.stderr)
                 self.assertEqual([], differences(folder, whole))
-            for stage, why in ("gravity", "name one from 'fill' on"), ("fil", "did you mean 'fill'?"):
-                result = work.command("run", work.case, "--until", stage)
-                self.assertNotEqual(0, result.returncode)
-                self.assertIn(why, result.stdout + result.stderr)
+            result = work.command("run", work.case, "--until", "fil")
+            self.assertNotEqual(0, result.returncode)
+            self.assertIn("did you mean 'fill'?", result.stdout + result.stderr)
 
     def test_explain_and_report_know_it(self):
         with RestWorkspace(TREMOLO, **CHANGES) as work:

@@ -167,6 +167,69 @@ TEST(Stages, ThatChangeTheWaterNeedSome) {
               Contains(HasSubstr("the load 'load' is drained, and soil above the water has not drained")));
 }
 
+TEST(Stages, SaySoilBySoilWhatWaterDoes) {
+  const std::string load = "[[stage]]\nkind = \"load\"\nx_m = [8.0, 12.0]\npressure_pa = 1e3\n";
+  const Case scene = parse_case(with_water(load + "drainage = { sand = \"undrained\" }\n"));
+  EXPECT_TRUE(scene.loads.front().undrained);
+  EXPECT_THAT(scene.loads.front().undrained_soils(), ElementsAre("sand"));
+  EXPECT_THAT(stages_text(scene), HasSubstr("s of relaxation, undrained in 'sand', then until at rest"));
+  EXPECT_FALSE(parse_case(with_water(load + "drainage = { sand = \"drained\" }\n")).loads.front().undrained);
+  EXPECT_THAT(errors_of(with_water(load + "drainage = { sand = \"undraned\" }\n")),
+              ElementsAre(HasSubstr("'drainage' = \"undraned\" is not known, did you mean 'undrained'?")));
+  EXPECT_THAT(
+      errors_of(with_water(load + "drainage = [\"sand\"]\n")),
+      ElementsAre(HasSubstr("'drainage' must be a string, or table { NAME = string }, found an array")));
+  EXPECT_THAT(errors_of(with_water(falls("low", "level = -6.0\ndrainage = { sand = \"undrained\" }"))),
+              ElementsAre(HasSubstr("of kind \"water\" must be \"drained\" or \"undrained\" for all soils")));
+  EXPECT_THAT(errors_of(with_water(falls("low", "level = -6.0\ndrainage = \"undrained\"") + load +
+                                   "drainage = { sand = \"undrained\" }\n")),
+              Contains(HasSubstr("make all of the load undrained")));
+}
+
+TEST(Rules, DrainageIsOfSoils) {
+  const std::string load = "[[stage]]\nkind = \"load\"\nx_m = [8.0, 12.0]\npressure_pa = 1e3\ndrainage = ";
+  EXPECT_THAT(errors_of(with_water(load + "{ sand = \"undrained\" }\n")), IsEmpty());
+  EXPECT_THAT(errors_of(with_water(load + "{ snd = \"undrained\" }\n")),
+              ElementsAre(HasSubstr("[[stage]] no soil has the name 'snd', did you mean 'sand'?")));
+  EXPECT_THAT(errors_of(with("level = -2.0", "level = -20.0", with_water(load + "{ sand = \"drained\" }\n"))),
+              ElementsAre(HasSubstr("soil 'sand' does not lie below water in the stage 'load'")));
+  EXPECT_THAT(errors_of(with("permeability = 1e-4", "drainage = \"drained\"",
+                             with_water(load + "{ sand = \"undrained\" }\n"))),
+              ElementsAre(HasSubstr("soil 'sand' has a drainage of its own, \"drained\"")));
+}
+
+const std::string on_block = "[[stage]]\nkind = \"load\"\nname = \"crane\"\nstructure = \"block\"\n";
+
+TEST(Loads, ActOnStructures) {
+  const std::string build = stage("build", "remove = [\"pit\"]\nplace = [\"block\"]");
+  const std::string force = "force_n_per_m = [5e3, -80e3]\n";
+  const Case scene = parse_case(built(build + on_block + force, block));
+  ASSERT_EQ(scene.loads.size(), 1u);
+  EXPECT_TRUE(scene.loads.front().on_structure());
+  EXPECT_EQ(scene.loads.front().force.y, -80e3);
+  EXPECT_THAT(stages_text(scene),
+              HasSubstr("force of [5000, -80000] N/m on the structure 'block', which stays; grows in"));
+  EXPECT_THAT(errors_of(built(build + on_block, block)),
+              ElementsAre(HasSubstr("missing 'force_n_per_m' = [fx, fy]: what acts on the structure")));
+  EXPECT_THAT(errors_of(built(build + on_block + force + "pressure_pa = 1e3\n", block)),
+              ElementsAre(HasSubstr("'pressure_pa' is of a load on the surface, and this one is on the "
+                                    "structure 'block'")));
+  EXPECT_THAT(errors_of(built("[[stage]]\nkind = \"load\"\nx_m = [9.0, 10.5]\npressure_pa = 1e3\n" + force)),
+              ElementsAre(HasSubstr("'force_n_per_m' is of a load on a structure: give 'structure'")));
+}
+
+TEST(Rules, LoadsFindStructures) {
+  const std::string build = stage("build", "remove = [\"pit\"]\nplace = [\"block\"]");
+  const std::string load = on_block + "force_n_per_m = [0.0, -80e3]\n";
+  EXPECT_THAT(errors_of(built(build + load, block)), IsEmpty());
+  EXPECT_THAT(errors_of(built(load + build, block)),
+              ElementsAre(HasSubstr("the structure 'block' does not stand in the stage 'crane'")));
+  EXPECT_THAT(errors_of(built(build + with("\"block\"", "\"blok\"", load), block)),
+              ElementsAre(HasSubstr("no [[structure]] has the name 'blok', did you mean 'block'?")));
+  EXPECT_THAT(errors_of(built(build + load + stage("clear", "remove = [\"block\"]"), block)),
+              ElementsAre(HasSubstr("'block' carries the load 'crane', which stays")));
+}
+
 TEST(Rules, LoadsActBesideStructures) {
   const auto load = [](const std::string& ends) {
     return "[[stage]]\nkind = \"load\"\nx_m = " + ends + "\npressure_pa = 1e3\n";

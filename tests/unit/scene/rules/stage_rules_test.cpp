@@ -93,7 +93,8 @@ TEST(Loads, ComeBetweenGravityAndShaking) {
 TEST(Loads, HaveASizeAndTwoEnds) {
   EXPECT_THAT(errors_of(loaded(load("x_m = [8.0, 12.0]\n"))),
               ElementsAre(HasSubstr("missing 'pressure_pa' or 'shear_pa': how large the load is")));
-  EXPECT_THAT(errors_of(loaded(load("pressure_pa = 1e3\n"))), ElementsAre(HasSubstr("missing 'x_m'")));
+  EXPECT_THAT(errors_of(loaded(load("pressure_pa = 1e3\n"))),
+              ElementsAre(HasSubstr("missing 'x_m' or 'structure'")));
   EXPECT_THAT(errors_of(loaded(load("x_m = [12.0, 8.0]\npressure_pa = 1e3\n"))),
               ElementsAre(HasSubstr("'x_m' = [12, 8] goes from right to left")));
   EXPECT_THAT(errors_of(loaded(load("x_m = [8.0, 12.0]\npressure_pa = -1e3\n"))),

@@ -36,10 +36,11 @@ inline Spec level_ground(double width, double depth, double top, double h) {
 inline StaticStage construction(std::vector<Region> before, double residual, double ramp = 2.0,
                                 bool undrained = false, std::vector<Structure> structures = {},
                                 std::optional<GroundWater> water = {}) {
-  return ConstructionSettings{{.ramp = ramp, .residual = residual, .max_time = 60.0, .undrained = undrained},
-                              std::move(before),
-                              std::move(structures),
-                              water};
+  return ConstructionSettings{
+      {.ramp = ramp, .residual = residual, .max_time = 60.0, .undrained = {undrained}},
+      std::move(before),
+      std::move(structures),
+      water};
 }
 
 inline Reactions rest(Domain& domain, std::span<const StaticStage> stages, double residual) {

@@ -70,5 +70,34 @@ TEST(Undrained, ExcessPressureIsGoneAfterADrainedStage) {
     }
 }
 
+// Clay below drained sand: each takes the weight of a fill by itself, up to the cell where they meet.
+TEST(Undrained, ClayAloneHoldsItsWaterWhereAStageSaysSo) {
+  Spec spec = wet_ground();
+  spec.soils.push_back(spec.soils.front());
+  spec.soils.back().name = "clay";
+  std::vector<Region> ground{layer(width, -height, -5.0, 2), layer(width, -5.0, 0.0)};
+  spec.regions = ground;
+  spec.regions.push_back(layer(width, 0.0, removed, 1));
+  std::vector<StaticStage> stages{construction(ground, residual, 2.0, true, {}, spec.water)};
+  std::get<ConstructionSettings>(stages.front()).undrained.names = {"clay"};
+  const double q = density * gravity * removed;
+  const double share = 2.0e8 / porosity / (modulus + 2.0e8 / porosity);
+  Domain domain(spec);
+  rest(domain, stages, residual);
+  for (const Particles& p : domain.sets)
+    for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k) {
+      const double of_water = p.soil == "clay" ? share : 0.0;
+      EXPECT_NEAR(excess_pressure(p, k) / q, of_water, 1e-3) << p.soil << ", y = " << p.y[k];
+      const double before = p.weight_share * p.density * gravity * p.y[k];
+      EXPECT_NEAR((before - p.syy[k]) / q, 1.0 - of_water, 1e-3) << p.soil << ", y = " << p.y[k];
+    }
+  stages.push_back(construction(spec.regions, residual, 2.0, false, {}, spec.water));
+  Domain drained(spec);
+  rest(drained, stages, residual);
+  for (const Particles& p : drained.sets)
+    for (std::size_t k = 0; p.traits.wet && k < p.size(); ++k)
+      EXPECT_NEAR(excess_pressure(p, k) / q, 0.0, 1e-9);
+}
+
 } // namespace
 } // namespace tremolo::mpm_domain::test

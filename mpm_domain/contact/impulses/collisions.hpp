@@ -8,7 +8,7 @@
 // without restitution. Impulses are accumulated and swept over the corners until they stay; a body answers
 // with the soil that is tied to it (Response of rigid_contact.hpp).
 
-#include "mpm_domain/contact/rigid_contact.hpp"
+#include "mpm_domain/contact/impulses/rigid_contact.hpp"
 
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "mpm_domain/contact/rigid_contact.hpp"
+#include "mpm_domain/contact/impulses/rigid_contact.hpp"
 
 #include <Eigen/Dense>
 

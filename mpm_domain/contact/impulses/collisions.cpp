@@ -1,4 +1,4 @@
-#include "mpm_domain/contact/collisions.hpp"
+#include "mpm_domain/contact/impulses/collisions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,314 @@
+#include "mpm_domain/gravity/static_stages.hpp"
+
+#include "mpm_domain/gravity/construction.hpp"
+#include "mpm_domain/particles/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Bodies that move at least a hundredth as fast as the fastest: one that slides goes on under the damping,
+/// while others only answer to what it does to the soil.
+std::vector<std::size_t> moving_bodies(const Domain& domain) {
+  std::vector<double> speeds;
+  for (std::size_t b = 0; b < domain.contact.bodies().size(); ++b)
+    speeds.push_back(domain.contact.speed(domain, b));
+  const double fastest = std::ranges::max(speeds);
+  std::vector<std::size_t> moving;
+  for (std::size_t b = 0; b < speeds.size(); ++b)
+    if (speeds[b] >= 0.01 * fastest)
+      moving.push_back(b);
+  return moving;
+}
+
+/// Relaxes once more with structures that may slide and part from the soil, so that the shaking begins
+/// without a kick. If that finds no rest, the bonded state stays.
+/// @param course  in which they have been bonded, and which ended at `rest`
+/// @returns the bodies that move on
+std::vector<std::size_t> release(Domain& domain, Relaxation& relaxation, const Course& course,
+                                 const Relaxed& rest, const GravityProgress& progress) {
+  constexpr long least =
+      1000; // steps that friction may take to find its share, and as often those of the bonds
+  const long steps = std::max(least, 4 * (rest.step - course.first));
+  Course released = course;
+  released.bonded = false;
+  released.ramp = 0.0;
+  released.first = rest.step;
+  released.time = static_cast<double>(steps) * relaxation.step();
+  const std::vector<Particles> bonded = domain.sets;
+  std::vector<std::size_t> moving;
+  if (!(relaxation.run(released, progress).residual < course.residual)) {
+    moving = moving_bodies(domain);
+    domain.sets = bonded;
+    relaxation.find_forces();
+  }
+  domain.contact.end_rest();
+  return moving;
+}
+
+/// The excess pressure that an undrained stage has left is gone in all soils but those that are undrained.
+void drain(Domain& domain, const UndrainedSoils& undrained) {
+  for (Particles& set : domain.sets)
+    if (set.traits.wet && !undrained.include(set.soil))
+      set.pore_pressure = set.pressure_at_rest;
+}
+
+/// Moves the particles of an elastic body, which have kept their places, by their displacement.
+void displace(Particles& set) {
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const Vector way{set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
+    set.x[k] += way.x;
+    set.y[k] += way.y;
+    set.x_initial[k] += way.x;
+    set.y_initial[k] += way.y;
+  }
+}
+
+Course course_of(const StageSettings& settings) {
+  return {.undrained = settings.undrained,
+          .ramp = settings.ramp,
+          .time = settings.ramp + settings.max_time,
+          .residual = settings.residual};
+}
+
+} // namespace
+
+StaticStages::StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
+                           StageProgress progress)
+    : end_(end), gravity_(gravity), stages_(then.begin(), then.end()), progress_(std::move(progress)) {
+  if (!(end.spec.gravity > 0.0))
+    throw std::invalid_argument(
+        fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", end.spec.gravity));
+  begin_model(0);
+}
+
+void StaticStages::next() {
+  if (over_ == 0)
+    gravity();
+  else
+    std::visit(
+        [this](const auto& stage) {
+          go(stage);
+          disturbed_ = stage.undrained.any;
+        },
+        stages_[over_ - 1]);
+  end_stage();
+}
+
+void StaticStages::show(const std::function<void(Domain& model)>& act) {
+  const std::vector<Particles> sets = model_->sets;
+  const Contact contact = model_->contact;
+  for (std::size_t b = 0; b < contact.bodies().size(); ++b)
+    if (const auto structure = std::ranges::find(ways_, contact.bodies()[b].name(), &StructureWay::name);
+        structure != ways_.end())
+      model_->contact.displace(b, structure->way, structure->turn);
+  for (Particles& set : model_->sets)
+    if (set.body)
+      displace(set);
+  model_->contact.follow_particles(*model_);
+  act(*model_);
+  model_->sets = sets;
+  model_->contact = contact;
+}
+
+Reactions StaticStages::finish() {
+  Reactions reactions = std::move(reactions_);
+  reactions.slipping_bodies = slipping_;
+  reactions.slipping = !slipping_.empty();
+  reactions.cut = begin_history(*model_);
+  reactions.ways = ways_;
+  return reactions;
+}
+
+void StaticStages::gravity() {
+  set_rest_stress(model_->sets_of_soil(), model_->spec);
+  begin_relaxation();
+  act_with_loads(0);
+  const Course course{
+      .bonded = true, .time = gravity_.max_time, .residual = gravity_.residual, .skin = gravity_.skin};
+  const Relaxed rest = run(course, "the gravity stage did not come to rest",
+                           "the slope may not be stable under its weight, which tremolo safety finds out");
+  end_bonds(course, rest);
+}
+
+void StaticStages::go(const LoadSettings& load) {
+  begin_relaxation();
+  relaxation_->count_way();
+  act_with_loads(over_ - 1);
+  if (disturbed_) {
+    drain(*model_, load.undrained);
+    relaxation_->hold(lacking_forces(*model_, *model_, forces_, relaxation_->forces()));
+  }
+  Course course = course_of(load);
+  course.grow = [&](double share) { scale(load, share); };
+  course.bonded = model_->contact.any();
+  const Relaxed loaded =
+      run(course, fmt::format("the ground did not come to rest under the load {}", description(load)),
+          "it may not carry the load");
+  end_bonds(course, loaded);
+}
+
+void StaticStages::go(const ConstructionSettings& construction) {
+  const std::shared_ptr<Domain> owner = std::move(own_);
+  const Domain& before = *model_;
+  begin_model(over_);
+  carry_over(before, *model_);
+  begin_relaxation();
+  relaxation_->count_way();
+  drain(*model_, construction.undrained);
+  act_with_loads(over_ - 1);
+  relaxation_->hold(lacking_forces(before, *model_, forces_, relaxation_->forces()));
+  Course course = course_of(construction);
+  course.bonded = true;
+  const std::vector<RigidLoad> weights = weights_before(before, *model_);
+  course.grow = [&](double share) {
+    for (std::size_t b = 0; b < weights.size(); ++b)
+      model_->contact.weigh(*model_, b, share, weights[b]);
+  };
+  const Relaxed rest = run(
+      course, "the ground did not come to rest in a construction stage",
+      "it may not stand without what was removed, carry what was placed, or bear the change of the water");
+  end_bonds(course, rest);
+}
+
+void StaticStages::end_stage() {
+  reactions_ = relaxation_->reactions();
+  forces_ = relaxation_->forces();
+  ++over_;
+  for (const std::size_t structure : structures_that_go())
+    relaxation_->add_contact_forces(structure, forces_);
+  ways_ = ways();
+  relaxation_->finish();
+  relaxation_.reset();
+}
+
+/// The model of the stages from one of stages_ on, up to the next construction; nothing: it is that of the
+/// end.
+std::optional<Spec> StaticStages::spec_from(std::size_t first) const {
+  std::size_t on_surface = 0;
+  std::size_t on_structures = 0;
+  for (std::size_t s = 0; s < stages_.size(); ++s) {
+    const auto* const next = std::get_if<ConstructionSettings>(&stages_[s]);
+    if (next != nullptr && s >= first) {
+      Spec spec = end_.spec;
+      spec.regions = next->regions;
+      spec.structures = next->structures;
+      spec.water = next->water;
+      spec.loads.resize(on_surface);
+      spec.structure_loads.resize(on_structures);
+      return spec;
+    }
+    if (const auto* const load = std::get_if<LoadSettings>(&stages_[s]))
+      ++(load->on_structure ? on_structures : on_surface);
+  }
+  return std::nullopt;
+}
+
+void StaticStages::begin_model(std::size_t first) {
+  const std::optional<Spec> spec = spec_from(first);
+  own_ = spec ? std::make_shared<Domain>(*spec) : nullptr;
+  model_ = own_ ? own_.get() : &end_;
+}
+
+void StaticStages::begin_relaxation() {
+  slipping_.clear();
+  relaxation_.emplace(*model_);
+}
+
+/// Lets the loads of the stages before one of stages_ act, and those after it not.
+void StaticStages::act_with_loads(std::size_t stage) {
+  const Spec& spec = model_->spec;
+  for (std::size_t s = 0; s < stages_.size(); ++s)
+    if (const auto* load = std::get_if<LoadSettings>(&stages_[s]);
+        load != nullptr &&
+        load->load < (load->on_structure ? spec.structure_loads.size() : spec.loads.size()))
+      scale(*load, s < stage ? 1.0 : 0.0);
+  model_->loads.follow(*model_);
+}
+
+/// Lets a load act with a share of its size.
+void StaticStages::scale(const LoadSettings& load, double share) {
+  if (!load.on_structure) {
+    model_->loads.scale(load.load, share);
+    model_->loads.follow(*model_);
+    return;
+  }
+  model_->contact.structure_loads().scale(load.load, share);
+  for (std::size_t b = 0; b < model_->contact.bodies().size(); ++b)
+    model_->contact.weigh(*model_, b, 1.0);
+}
+
+/// "from x = 3 to 5 m" or "on the structure 'tower'"
+std::string StaticStages::description(const LoadSettings& load) const {
+  const Spec& spec = model_->spec;
+  if (load.on_structure)
+    return fmt::format("on the structure '{}'", spec.structure_loads[load.load].structure);
+  return fmt::format("from x = {:.6g} to {:.6g} m", spec.loads[load.load].x_min, spec.loads[load.load].x_max);
+}
+
+Relaxed StaticStages::run(const Course& course, const std::string& what, const std::string& why) {
+  const Relaxed relaxed =
+      relaxation_->run(course, [this](long step, double residual) { progress_(over_, step, residual); });
+  if (!(relaxed.residual < course.residual))
+    throw NotAtRest(fmt::format("{}: residual {:.3g} after {:.3g} s of relaxation, wanted {:.3g}; {}", what,
+                                relaxed.residual, course.time, course.residual, why),
+                    over_, own_);
+  return relaxed;
+}
+
+void StaticStages::end_bonds(const Course& course, const Relaxed& rest) {
+  if (model_->contact.any())
+    slipping_ = release(*model_, *relaxation_, course, rest,
+                        [this](long step, double residual) { progress_(over_, step, residual); });
+}
+
+/// Structures of the present model that the next stage removes.
+std::vector<std::size_t> StaticStages::structures_that_go() const {
+  if (are_over() || !std::holds_alternative<ConstructionSettings>(stages_[over_ - 1]))
+    return {};
+  const std::optional<Spec> next = spec_from(over_);
+  return removed_structures(*model_, next ? next->structures : end_.spec.structures);
+}
+
+/// Ways of the structures of the present model, those in the stages before the present one included.
+std::vector<StructureWay> StaticStages::ways() const {
+  std::vector<StructureWay> ways = relaxation_->structure_ways();
+  for (StructureWay& structure : ways)
+    if (const auto found = std::ranges::find(ways_, structure.name, &StructureWay::name);
+        found != ways_.end()) {
+      structure.way = {structure.way.x + found->way.x, structure.way.y + found->way.y};
+      structure.turn += found->turn;
+    }
+  return ways;
+}
+
+/// The structures that have a way after the stages that are over, with none.
+std::vector<StructureWay> StaticStages::no_ways() const {
+  std::vector<StructureWay> ways;
+  for (std::size_t b = 0; over_ > 1 && b < model_->contact.bodies().size(); ++b)
+    if (!model_->contact.is_elastic(b))
+      ways.push_back({model_->contact.bodies()[b].name(), {}});
+  return ways;
+}
+
+void StaticStages::take_forces(const std::vector<double>& numbers) {
+  forces_.clear();
+  for (std::size_t n = 0; n < numbers.size(); n += 2)
+    forces_.push_back({numbers[n], numbers[n + 1]});
+}
+
+void StaticStages::take_ways(const std::vector<double>& numbers) {
+  for (std::size_t s = 0; s < ways_.size(); ++s) {
+    const double* const of_structure = numbers.data() + numbers_of_way * s;
+    ways_[s].way = {of_structure[0], of_structure[1]};
+    ways_[s].turn = of_structure[2];
+  }
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,157 @@
+#include "mpm_domain/process/come_to_rest.hpp"
+
+#include "mpm_domain/gravity/gravity_stage.hpp"
+#include "mpm_domain/gravity/static_stages.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/process/coupled_faces.hpp"
+#include "mpm_domain/process/output/stage_frames.hpp"
+#include "mpm_domain/process/spec_from_case.hpp"
+#include "results/run_checksums.hpp"
+#include "scene/plan/stages/stages.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// What a user should know of bodies that do not rest on their friction.
+std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t>& bodies) {
+  std::string names;
+  for (const std::size_t b : bodies)
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", domain.contact.bodies()[b].name());
+  const bool one = bodies.size() == 1;
+  return fmt::format(
+      "soil and friction cannot hold {} {} under gravity: {} in place until the shaking starts, "
+      "and {} from then on; more friction or a gentler slope would hold {}",
+      one ? "structure" : "structures", names, one ? "it stays" : "they stay", one ? "moves" : "move",
+      one ? "it" : "them");
+}
+
+/// "'clay' (120 particles, x = 3 to 12.5 m, y = -4 to -1 m)", with commas.
+std::string told_of_cut(const std::vector<CutStress>& cut) {
+  std::string text;
+  for (const CutStress& of : cut)
+    text += fmt::format("{}'{}' ({} particle{}, x = {:.4g} to {:.4g} m, y = {:.4g} to {:.4g} m)",
+                        text.empty() ? "" : ", ", of.soil, of.particles, of.particles == 1 ? "" : "s",
+                        of.low.x, of.high.x, of.low.y, of.high.y);
+  return text;
+}
+
+/// "structure 'tower' has moved by 0.4 mm in x and -12 mm in y and turned by 0.01 degrees", with commas.
+std::string told_of_ways(const std::vector<StructureWay>& ways) {
+  std::string text;
+  for (const StructureWay& structure : ways)
+    text += fmt::format("{}'{}' has moved by {:.3g} mm in x and {:.3g} mm in y and turned by {:.3g} degrees",
+                        text.empty() ? "structure " : ", ", structure.name, 1e3 * structure.way.x,
+                        1e3 * structure.way.y, structure.turn * 180.0 / std::numbers::pi);
+  return text;
+}
+
+void tell(const Domain& domain, const Reactions& reactions) {
+  if (!reactions.ways.empty())
+    fmt::print("note: {} in the stages before the shaking, in which frames show where it has gone; its "
+               "motion in run.h5 counts from where it was placed\n",
+               told_of_ways(reactions.ways));
+  if (!reactions.cut.empty())
+    fmt::print("warning: the laws of these soils cannot hold the stress at rest and have cut it: {} of "
+               "{} particles; the soil there is not at rest, a gentler slope or stronger soil would be\n",
+               told_of_cut(reactions.cut), domain.particle_count());
+  if (reactions.slipping)
+    fmt::print("warning: {}\n", told_of_slipping(domain, reactions.slipping_bodies));
+}
+
+/// Leaves a frame of ground that has found no rest: its velocities show where it moves.
+/// @returns the sentence that says so
+std::string leave_frame(Domain& domain, const RunOfCase& run, const NotAtRest& failure) {
+  take_velocities_of_nodes(domain);
+  write_stage_frame(run.options.out, case_of_stage(run.scene, failure.stage), domain, failure.what());
+  const std::string stage =
+      failure.stage == 0 ? "" : fmt::format("stage '{}': ", scene::stages(run.scene)[failure.stage].name);
+  return fmt::format("{}{}; the frame in run.h5 shows where the ground moves", stage, failure.what());
+}
+
+/// Makes the checkpoint that the run goes on from, and ends it. The sources are needed for that alone.
+void end_after_stage(const Domain& domain, StaticStages& stages, const RunOfCase& run, double seconds) {
+  const std::size_t last = stages.over() - 1;
+  const std::string reason = ended_after(scene::stages(run.scene)[last].name);
+  stages.show([&](Domain& model) {
+    write_stage_frame(run.options.out, case_of_stage(run.scene, last), model, reason);
+  });
+  run.client->ready(CoupledFaces(domain, run.scene, run.plan).faces(), 0.0, run.scene.end());
+  run.client->checkpoint(0.0, [&](results::CheckpointWriter& file) {
+    stages.save(file);
+    file.write_text(std::string(results::checksums_name), results::checksum_text({})); // all is written anew
+  });
+  fmt::print("note: {}\n", reason);
+  run.client->finish({{"gravity stage", seconds}}, 0.0);
+}
+
+/// The first rank leaves a frame of each stage where there are several.
+void leave_stage_frame(StaticStages& stages, const RunOfCase& run) {
+  const std::size_t last = stages.over() - 1;
+  stages.show([&](Domain& model) {
+    write_stage_frame(stage_folder(run.options.out, run.scene, last), case_of_stage(run.scene, last), model,
+                      fmt::format("the frame of the stage '{}'", scene::stages(run.scene)[last].name));
+  });
+}
+
+} // namespace
+
+std::string ended_after(const std::string& stage) {
+  return fmt::format("ended after the stage '{}', as was asked; tremolo resume goes on", stage);
+}
+
+std::size_t static_stage_count(const scene::Case& scene) {
+  return scene.gravity ? 1 + scene::static_stages(scene).size() : 0;
+}
+
+bool is_before_shaking(const scene::Case& scene, const results::CheckpointReader& saved) {
+  return StaticStages::read_count(saved) < static_stage_count(scene);
+}
+
+AtRest come_to_rest(Domain& domain, const RunOfCase& run, const results::CheckpointReader* saved,
+                    const std::string& until) {
+  coupler::Stopwatch watch;
+  watch.start();
+  const scene::GravityStage& gravity = *run.scene.gravity;
+  const std::vector<scene::PlannedStage> planned = scene::stages(run.scene);
+  const auto progress = [&](std::size_t stage, long step, double residual) {
+    if (run.client != nullptr)
+      run.client->progress(planned[stage].name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
+  };
+  const std::vector<StaticStage> then = static_settings(run.scene);
+  StaticStages stages(domain, {gravity.residual, gravity.max_time}, then, progress);
+  if (saved != nullptr)
+    stages.restore(*saved);
+  try {
+    while (!stages.are_over()) {
+      stages.next();
+      if (run.client != nullptr && !then.empty())
+        leave_stage_frame(stages, run);
+      if (planned[stages.over() - 1].name != until || stages.are_over())
+        continue;
+      watch.stop();
+      if (run.client != nullptr)
+        end_after_stage(domain, stages, run, watch.seconds());
+      return {.seconds = watch.seconds(), .ended = true};
+    }
+  } catch (const NotAtRest& failure) {
+    if (run.client == nullptr)
+      throw;
+    throw std::runtime_error(leave_frame(failure.model ? *failure.model : domain, run, failure));
+  }
+  const Reactions reactions = stages.finish();
+  if (run.client != nullptr)
+    tell(domain, reactions);
+  replace_constraints(domain, reactions);
+  watch.stop();
+  return {.seconds = watch.seconds()};
+}
+
+} // namespace tremolo::mpm_domain
