@@ -1,0 +1,50 @@
+#pragma once
+
+// A symmetric, positive definite matrix whose entries lie within w places of the diagonal, and its Cholesky
+// factor,
+//
+//     A = L L^T,     L_ij = (A_ij - sum_k L_ik L_jk)/L_jj,     L_ii^2 = A_ii - sum_k L_ik^2,
+//
+// which has the same band (Golub and Van Loan 2013, section 4.3.5). A beam couples neighbours alone, and a
+// closed one has that band as soon as its nodes are numbered from both sides of one of them: so some
+// n w^2 operations suffice, without the ordering and the indices of a general sparse solver.
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+class BandMatrix {
+public:
+  BandMatrix() = default;
+  /// @param size   n
+  /// @param width  w, entries beside the diagonal
+  BandMatrix(std::size_t size, std::size_t width)
+      : size_(size), width_(width), entries_(size * (width + 1), 0.0) {}
+
+  std::size_t size() const { return size_; }
+  void clear() { std::ranges::fill(entries_, 0.0); }
+  /// Adds to A_ij, and so to A_ji; i >= j.
+  void add(std::size_t i, std::size_t j, double value) { at(i, j) += value; }
+
+  /// Puts L in the place of A.
+  /// @throws std::runtime_error if A is not positive definite
+  void factorise();
+  /// x = A^-1 x, after factorise().
+  void solve(std::span<double> x) const;
+
+private:
+  /// The entry in row i and column j, i - w <= j <= i.
+  double& at(std::size_t i, std::size_t j) { return entries_[i * (width_ + 1) + width_ + j - i]; }
+  double at(std::size_t i, std::size_t j) const { return entries_[i * (width_ + 1) + width_ + j - i]; }
+  /// The first column of a row that is within the band.
+  std::size_t first(std::size_t i) const { return i > width_ ? i - width_ : 0; }
+
+  std::size_t size_ = 0;
+  std::size_t width_ = 0;
+  std::vector<double> entries_; ///< row after row, up to the diagonal
+};
+
+} // namespace tremolo::mpm_domain

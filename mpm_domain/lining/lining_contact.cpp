@@ -1,0 +1,208 @@
+#include "mpm_domain/lining/lining_contact.hpp"
+
+#include "mpm_domain/lining/beam/beam_step.hpp"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+Vector difference(const Vector& a, const Vector& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+
+/// n of the even rows of a system, t of the odd ones.
+Vector direction(std::span<const SegmentRows> rows, std::size_t row) {
+  return row % 2 == 0 ? rows[row / 2].normal : rows[row / 2].tangent();
+}
+
+double share_of(const SegmentRows& rows, std::size_t node) {
+  const auto found = std::ranges::find(rows.soil, node, &NodeShare::node);
+  return found == rows.soil.end() ? 0.0 : found->share;
+}
+
+/// The lower half of B m^-1 B^T, row after row.
+std::vector<double> soil_answer(std::span<const SegmentRows> rows, std::span<const double> mass) {
+  const std::size_t size = 2 * rows.size();
+  std::vector<double> g(size * size, 0.0);
+  for (std::size_t a = 0; a < rows.size(); ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      double both = 0.0;
+      for (const auto& [node, share] : rows[a].soil)
+        both += share * share_of(rows[b], node) / mass[node];
+      if (both == 0.0)
+        continue;
+      for (const std::size_t r : {2 * a, 2 * a + 1})
+        for (const std::size_t c : {2 * b, 2 * b + 1})
+          g[r * size + c] = both * dot(direction(rows, r), direction(rows, c));
+    }
+  return g;
+}
+
+/// Adds H A^-1 H^T.
+void add_beam_answer(std::span<const SegmentRows> rows, const BeamStep& step, std::vector<double>& g) {
+  const std::size_t size = 2 * rows.size();
+  std::vector<double> x(step.trial().size());
+  for (std::size_t c = 0; c < size; ++c) {
+    std::ranges::fill(x, 0.0);
+    for (const auto& [dof, velocity] : rows[c / 2].beam)
+      x[dof] = dot(velocity, direction(rows, c));
+    step.answer(x);
+    for (std::size_t r = c - c % 2; r < size; ++r)
+      g[r * size + c] += dot(beam_velocity(rows[r / 2], x), direction(rows, r));
+  }
+}
+
+void mirror(std::vector<double>& g, std::size_t size) {
+  for (std::size_t r = 0; r < size; ++r)
+    for (std::size_t c = r + 1; c < size; ++c)
+      g[r * size + c] = g[c * size + r];
+}
+
+/// B w - H v in the directions of all rows.
+std::vector<double> closing_speeds(std::span<const SegmentRows> rows, const SoilMotion& soil,
+                                   std::span<const double> v) {
+  std::vector<double> closing;
+  for (const SegmentRows& of : rows) {
+    const Vector speed = difference(soil_velocity(of, soil.vx, soil.vy), beam_velocity(of, v));
+    closing.push_back(dot(of.normal, speed));
+    closing.push_back(dot(of.tangent(), speed));
+  }
+  return closing;
+}
+
+void add_change(const SegmentRows& rows, const Vector& impulse, std::span<const double> mass,
+                std::vector<NodeChange>& to) {
+  for (const auto& [node, share] : rows.soil) {
+    auto found = std::ranges::lower_bound(to, node, {}, &NodeChange::node);
+    if (found == to.end() || found->node != node)
+      found = to.insert(found, {node, {}});
+    const double per_mass = share / mass[node];
+    found->change = {found->change.x - per_mass * impulse.x, found->change.y - per_mass * impulse.y};
+  }
+}
+
+} // namespace
+
+LiningContact::LiningContact(const LiningSurface& surface)
+    : segments_(surface.segments().size()), gaps_(segments_.size(), 0.0) {
+  for (const SurfaceSegment& segment : surface.segments())
+    lengths_.push_back(segment.length);
+}
+
+std::vector<double> LiningContact::meet(std::span<const SegmentRows> rows, const SoilMotion& soil,
+                                        const BeamStep& step, double kick, double dt, bool bonded) {
+  std::vector<double> closing = closing_speeds(rows, soil, step.trial());
+  std::vector<SegmentContact> contacts;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    contacts.push_back(segments_[rows[k].segment]);
+    contacts.back().adhesion *= lengths_[rows[k].segment] * kick;
+    if (!bonded)
+      closing[2 * k] -= gaps_[rows[k].segment] / dt;
+  }
+  std::vector<double> answer = soil_answer(rows, soil.mass);
+  add_beam_answer(rows, step, answer);
+  mirror(answer, 2 * rows.size());
+  solve_segments(answer, closing, contacts, bonded);
+
+  std::vector<bool> met(segments_.size(), false);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    SegmentContact& segment = segments_[rows[k].segment];
+    const double adhesion = segment.adhesion;
+    segment = contacts[k];
+    segment.adhesion = adhesion;
+    met[rows[k].segment] = true;
+  }
+  for (std::size_t s = 0; s < segments_.size(); ++s)
+    if (!met[s]) // no soil is there
+      segments_[s].normal_impulse = segments_[s].tangential_impulse = 0.0;
+
+  std::vector<double> v(step.trial().size(), 0.0);
+  for (const SegmentRows& of : rows)
+    for (const auto& [dof, velocity] : of.beam)
+      v[dof] += dot(velocity, impulse(of));
+  step.answer(v);
+  for (std::size_t i = 0; i < v.size(); ++i)
+    v[i] += step.trial()[i];
+  return v;
+}
+
+Vector LiningContact::impulse(const SegmentRows& rows) const {
+  const auto& [friction, adhesion, tied, slip, normal, tangential] = segments_[rows.segment];
+  const Vector t = rows.tangent();
+  return {normal * rows.normal.x + tangential * t.x, normal * rows.normal.y + tangential * t.y};
+}
+
+std::vector<NodeChange> LiningContact::changes(std::span<const SegmentRows> rows,
+                                               std::span<const double> mass) const {
+  std::vector<NodeChange> changes;
+  for (const SegmentRows& of : rows)
+    add_change(of, impulse(of), mass, changes);
+  return changes;
+}
+
+void LiningContact::follow_gaps(std::span<const SegmentRows> rows, const SoilMotion& soil,
+                                std::span<const double> v, double dt) {
+  const std::vector<double> closing = closing_speeds(rows, soil, v);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    double& gap = gaps_[rows[k].segment];
+    gap = segments_[rows[k].segment].tied ? 0.0 : std::max(0.0, gap - dt * closing[2 * k]);
+  }
+}
+
+std::vector<NodeChange> LiningContact::stopped(std::span<const SegmentRows> rows, const SoilMotion& soil,
+                                               std::span<const double> v) const {
+  const std::vector<double> answer = soil_answer(rows, soil.mass);
+  const std::vector<double> closing = closing_speeds(rows, soil, v);
+  std::vector<std::size_t> stopped;
+  for (std::size_t row = 0; row < closing.size(); ++row) {
+    const SegmentContact& segment = segments_[rows[row / 2].segment];
+    if (segment.tied && (row % 2 == 0 || segment.slip == 0))
+      stopped.push_back(row);
+  }
+  const auto count = static_cast<Eigen::Index>(stopped.size());
+  Eigen::MatrixXd g(count, count);
+  Eigen::VectorXd speeds(count);
+  for (std::size_t r = 0; r < stopped.size(); ++r) {
+    speeds(static_cast<Eigen::Index>(r)) = closing[stopped[r]];
+    for (std::size_t c = 0; c <= r; ++c)
+      g(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
+          answer[stopped[r] * closing.size() + stopped[c]];
+  }
+  const Eigen::VectorXd impulses = g.selfadjointView<Eigen::Lower>().llt().solve(speeds);
+  std::vector<NodeChange> changes;
+  for (std::size_t k = 0; k < stopped.size(); ++k) {
+    const Vector along = direction(rows, stopped[k]);
+    const double j = impulses(static_cast<Eigen::Index>(k));
+    add_change(rows[stopped[k] / 2], {j * along.x, j * along.y}, soil.mass, changes);
+  }
+  return changes;
+}
+
+std::vector<double> LiningContact::state() const {
+  std::vector<double> state;
+  for (std::size_t s = 0; s < segments_.size(); ++s)
+    state.insert(state.end(),
+                 {gaps_[s], segments_[s].tied ? 1.0 : 0.0, static_cast<double>(segments_[s].slip)});
+  return state;
+}
+
+void LiningContact::set_state(std::span<const double> state) {
+  constexpr std::size_t numbers = 3; // of a segment
+  if (state.size() != numbers * segments_.size())
+    throw std::runtime_error(
+        fmt::format("the checkpoint holds {} numbers of the contact of a lining that has {}", state.size(),
+                    numbers * segments_.size()));
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    gaps_[s] = state[numbers * s];
+    segments_[s].tied = state[numbers * s + 1] != 0.0;
+    segments_[s].slip = static_cast<int>(state[numbers * s + 2]);
+  }
+}
+
+} // namespace tremolo::mpm_domain

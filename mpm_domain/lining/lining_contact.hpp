@@ -1,0 +1,76 @@
+#pragma once
+
+// Soil and lining in a step, at all segments at once. With trial velocities w* of the soil's nodes and v* of
+// the beam, both without contact,
+//
+//     v+ = v* + A^-1 H^T j,        w+ = w* - m^-1 B^T j,
+//
+// j being the impulses that segment_contact.hpp finds. Gaps are displacements: both touch at the start, and a
+// gap grows by dt n.(H v+ - B w+) where they part. So soil that comes back is met where it had left, and not
+// a cell before.
+
+#include "mpm_domain/lining/segment_contact.hpp"
+#include "mpm_domain/lining/segment_rows.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+class BeamStep;
+
+/// Masses (kg/m) and velocities of the nodes.
+struct SoilMotion {
+  std::span<const double> mass, vx, vy;
+};
+
+/// What impulses change of a node's velocity, m/s.
+struct NodeChange {
+  std::size_t node;
+  Vector change;
+};
+
+class LiningContact {
+public:
+  explicit LiningContact(const LiningSurface& surface);
+
+  /// By segment. Friction and adhesion (Pa) are to be set.
+  std::vector<SegmentContact>& segments() { return segments_; }
+  const std::vector<SegmentContact>& segments() const { return segments_; }
+  const std::vector<double>& gaps() const { return gaps_; } ///< m
+
+  /// Finds the impulses, which stay until the next ones.
+  /// @param soil    after its own update
+  /// @param kick    time that forces act for, s
+  /// @param dt      time that places move for, s
+  /// @param bonded  both stick together, whatever that takes
+  /// @returns velocities of the beam
+  std::vector<double> meet(std::span<const SegmentRows> rows, const SoilMotion& soil, const BeamStep& step,
+                           double kick, double dt, bool bonded);
+  /// What the impulses change of the soil's nodes, in the order of these.
+  std::vector<NodeChange> changes(std::span<const SegmentRows> rows, std::span<const double> mass) const;
+  /// The impulse on the lining at a segment, kg/s.
+  Vector impulse(const SegmentRows& rows) const;
+  /// Lets gaps follow final velocities.
+  /// @param v  of the beam
+  void follow_gaps(std::span<const SegmentRows> rows, const SoilMotion& soil, std::span<const double> v,
+                   double dt);
+
+  /// Impulses on a lining that does not answer, which end the motion of soil into tied segments, and along
+  /// those that stick: the changes of the soil's nodes.
+  std::vector<NodeChange> stopped(std::span<const SegmentRows> rows, const SoilMotion& soil,
+                                  std::span<const double> v) const;
+
+  /// Gaps and sets, for a checkpoint, and back.
+  std::vector<double> state() const;
+  /// @throws std::runtime_error for those of another lining
+  void set_state(std::span<const double> state);
+
+private:
+  std::vector<SegmentContact> segments_;
+  std::vector<double> lengths_; ///< m
+  std::vector<double> gaps_;
+};
+
+} // namespace tremolo::mpm_domain

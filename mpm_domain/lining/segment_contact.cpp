@@ -1,0 +1,148 @@
+#include "mpm_domain/lining/segment_contact.hpp"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+using Answer = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+using Speeds = Eigen::Map<const Eigen::VectorXd>;
+
+Eigen::Index normal_of(std::size_t segment) {
+  return static_cast<Eigen::Index>(2 * segment);
+}
+Eigen::Index tangent_of(std::size_t segment) {
+  return normal_of(segment) + 1;
+}
+
+/// The search for the sets.
+class SegmentSets {
+public:
+  SegmentSets(const Answer& answer, const Speeds& closing, std::span<SegmentContact> segments)
+      : answer_(answer), closing_(closing), segments_(segments) {}
+
+  /// The impulses for the present sets.
+  Eigen::VectorXd solve() const {
+    std::vector<Eigen::Index> unknown;
+    for (std::size_t s = 0; s < segments_.size(); ++s)
+      if (segments_[s].tied) {
+        unknown.push_back(normal_of(s));
+        if (segments_[s].slip == 0)
+          unknown.push_back(tangent_of(s));
+      }
+    // T = s (mu N + a) where a segment slips: its column goes to that of N.
+    Eigen::MatrixXd columns = answer_(Eigen::all, unknown);
+    Eigen::VectorXd right = closing_;
+    Eigen::VectorXd impulses = Eigen::VectorXd::Zero(closing_.size());
+    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+      const SegmentContact& segment =
+          segments_[static_cast<std::size_t>(unknown[static_cast<std::size_t>(k)] / 2)];
+      const Eigen::Index of = unknown[static_cast<std::size_t>(k)];
+      if (segment.slip == 0 || of % 2 != 0)
+        continue;
+      columns.col(k) += segment.slip * segment.friction * answer_.col(of + 1);
+      right -= segment.slip * segment.adhesion * answer_.col(of + 1);
+    }
+    const Eigen::VectorXd found = columns(unknown, Eigen::all).partialPivLu().solve(right(unknown));
+    for (std::size_t k = 0; k < unknown.size(); ++k)
+      impulses(unknown[k]) = found(static_cast<Eigen::Index>(k));
+    for (std::size_t s = 0; s < segments_.size(); ++s)
+      if (segments_[s].tied && segments_[s].slip != 0)
+        impulses(tangent_of(s)) =
+            segments_[s].slip * (segments_[s].friction * impulses(normal_of(s)) + segments_[s].adhesion);
+    return impulses;
+  }
+
+  /// Brings the sets in line with impulses. @returns whether one changed
+  bool revise(const Eigen::VectorXd& impulses) const {
+    const Eigen::VectorXd left = closing_ - answer_ * impulses;
+    bool changed = false;
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
+      SegmentContact& segment = segments_[s];
+      const bool tied = segment.tied ? impulses(normal_of(s)) > 0.0 : left(normal_of(s)) > 0.0;
+      int slip = segment.slip;
+      if (!segment.tied)
+        slip = 0;
+      else if (slip == 0 && std::abs(impulses(tangent_of(s))) > segment.bound(impulses(normal_of(s))))
+        slip = impulses(tangent_of(s)) > 0.0 ? 1 : -1;
+      else if (slip * left(tangent_of(s)) < 0.0)
+        slip = 0;
+      changed |= tied != segment.tied || (tied && slip != segment.slip);
+      segment.tied = tied;
+      segment.slip = slip;
+    }
+    return changed;
+  }
+
+private:
+  const Answer& answer_;
+  const Speeds& closing_;
+  std::span<SegmentContact> segments_;
+};
+
+/// Accumulated impulses, segment after segment, until they stay.
+Eigen::VectorXd swept(const Answer& answer, const Speeds& closing, std::span<SegmentContact> segments) {
+  constexpr int sweeps = 2000;
+  Eigen::VectorXd impulses = Eigen::VectorXd::Zero(closing.size());
+  for (int k = 0; k < sweeps; ++k) {
+    double change = 0.0;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      SegmentContact& segment = segments[s];
+      const auto give = [&](Eigen::Index i, double most, bool one_sided) {
+        const double left = closing(i) - answer.row(i).dot(impulses);
+        const double wanted = impulses(i) + left / answer(i, i);
+        const double given = std::clamp(wanted, one_sided ? 0.0 : -most, most);
+        change = std::max(change, std::abs(given - impulses(i)));
+        impulses(i) = given;
+        return given == wanted;
+      };
+      segment.tied = give(normal_of(s), std::numeric_limits<double>::infinity(), true);
+      const double most = segment.tied ? segment.bound(impulses(normal_of(s))) : 0.0;
+      const bool sticks = give(tangent_of(s), most, false);
+      segment.slip = sticks || !segment.tied ? 0 : (impulses(tangent_of(s)) > 0.0 ? 1 : -1);
+    }
+    if (change <= 1e-14 * impulses.lpNorm<Eigen::Infinity>())
+      break;
+  }
+  return impulses;
+}
+
+} // namespace
+
+int solve_segments(std::span<const double> answer, std::span<const double> closing,
+                   std::span<SegmentContact> segments, bool bonded) {
+  constexpr int most_passes = 30;
+  const auto size = static_cast<Eigen::Index>(closing.size());
+  const Answer g(answer.data(), size, size);
+  const Speeds c(closing.data(), size);
+  if (bonded)
+    for (SegmentContact& segment : segments) {
+      segment.tied = true;
+      segment.slip = 0;
+    }
+  const SegmentSets sets(g, c, segments);
+  Eigen::VectorXd impulses;
+  int passes = 1;
+  for (; passes <= most_passes; ++passes) {
+    impulses = sets.solve();
+    if (bonded || !sets.revise(impulses))
+      break;
+  }
+  if (passes > most_passes) {
+    passes = 0;
+    impulses = swept(g, c, segments);
+  }
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    segments[s].normal_impulse = impulses(normal_of(s));
+    segments[s].tangential_impulse = impulses(tangent_of(s));
+  }
+  return passes;
+}
+
+} // namespace tremolo::mpm_domain

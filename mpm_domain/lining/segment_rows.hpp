@@ -1,0 +1,51 @@
+#pragma once
+
+// What a segment of a lining's surface has in common with the soil's nodes and with the beam. With N_I the
+// bilinear hat of node I at the points X_q of the segment, over the nodes that soil gives mass,
+//
+//     B w = mean_q sum_I N_I(X_q) w_I / sum_I N_I(X_q),       H v = mean_q (H v)(X'_q),
+//
+// X'_q = sum N_I x_I / sum N_I being the place at which the soil answers. Where all four nodes of a cell have
+// soil that is X_q. Both sides act at the same place, so that the impulses B^T j on the soil and H^T j on the
+// beam have the same sum and the same moment: momentum and angular momentum are exact.
+//
+// Contact at each node by itself would tie soil to the lining at up to a cell from it, and so make the lining
+// larger than it is; the means over a cell do not.
+
+#include "mpm_domain/lining/surface.hpp"
+#include "mpm_domain/spec/lattice.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// What a node gives to a velocity.
+struct NodeShare {
+  std::size_t node;
+  double share;
+};
+
+struct SegmentRows {
+  std::size_t segment = 0;     ///< its number on the surface
+  std::vector<NodeShare> soil; ///< B
+  std::vector<BeamShare> beam; ///< H
+  Vector normal;               ///< from soil to lining
+  Vector place;                ///< of the impulse, m
+
+  Vector tangent() const { return {-normal.y, normal.x}; }
+};
+
+/// The rows of the segments that have soil before them, in their order.
+/// @param mass   of the nodes, kg/m
+/// @param empty  mass that counts as none, kg/m
+std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& beam, const Lattice& lattice,
+                                   std::span<const double> mass, double empty);
+
+/// B w.
+Vector soil_velocity(const SegmentRows& rows, std::span<const double> wx, std::span<const double> wy);
+/// H v.
+Vector beam_velocity(const SegmentRows& rows, std::span<const double> v);
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,212 @@
+#include "mpm_domain/lining/surface.hpp"
+
+#include "mesh/polygon_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Sine of the angle by which an outline turns at a corner, at least.
+const double least_turn = std::sin(20.0 * std::numbers::pi / 180.0);
+
+Vector between(const Vector& a, const Vector& b, double share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+
+Vector away(const Vector& from, const Vector& to) {
+  return {to.x - from.x, to.y - from.y};
+}
+
+Vector unit(const Vector& v) {
+  const double length = std::hypot(v.x, v.y);
+  return {v.x / length, v.y / length};
+}
+
+/// Into the body, for an edge of an outline that runs counter-clockwise.
+Vector inward(const Vector& a, const Vector& b) {
+  const Vector along = unit(away(a, b));
+  return {-along.y, along.x};
+}
+
+/// A vector of the frame of an axis in the frame of the plane.
+Vector turned(const Vector& axis, const Vector& v) {
+  return {axis.x * v.x - axis.y * v.y, axis.y * v.x + axis.x * v.y};
+}
+
+Vector turned_back(const Vector& axis, const Vector& v) {
+  return turned({axis.x, -axis.y}, v);
+}
+
+/// The nodes that an element joins.
+struct Ends {
+  Vector a, b;
+
+  Ends(const Beam& beam, std::size_t element) {
+    const auto q = beam.places();
+    const auto& dofs = beam.elements()[element].dofs;
+    a = {q[dofs[0]], q[dofs[1]]};
+    b = {q[dofs[3]], q[dofs[4]]};
+  }
+  Vector axis() const { return unit(away(a, b)); }
+};
+
+SurfacePoint carried(const Vector& at, const Beam& beam) {
+  SurfacePoint point;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < beam.elements().size(); ++e) {
+    const Ends ends(beam, e);
+    const Vector chord = away(ends.a, ends.b);
+    const double xi = std::clamp(dot(away(ends.a, at), chord) / square(chord), 0.0, 1.0);
+    const Vector arm = away(between(ends.a, ends.b, xi), at);
+    if (square(arm) < least) {
+      least = square(arm);
+      point = {e, xi, turned_back(ends.axis(), arm)};
+    }
+  }
+  return point;
+}
+
+/// A way along the outline from one corner of it to the next, or once around one without corners.
+struct Run {
+  std::vector<Vector> points;
+
+  double length() const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      sum += std::hypot(points[k + 1].x - points[k].x, points[k + 1].y - points[k].y);
+    return sum;
+  }
+  /// The place at a distance (m) from its beginning, and the normal there, into the body.
+  std::pair<Vector, Vector> at(double distance) const {
+    for (std::size_t k = 0;; ++k) {
+      const double edge = std::hypot(points[k + 1].x - points[k].x, points[k + 1].y - points[k].y);
+      if (distance <= edge || k + 2 == points.size())
+        return {between(points[k], points[k + 1], distance / edge), inward(points[k], points[k + 1])};
+      distance -= edge;
+    }
+  }
+};
+
+std::vector<Run> runs_of(const std::vector<Vector>& outline) {
+  const std::size_t n = outline.size();
+  const auto is_corner = [&](std::size_t k) {
+    const Vector in = unit(away(outline[(k + n - 1) % n], outline[k]));
+    const Vector out = unit(away(outline[k], outline[(k + 1) % n]));
+    return std::abs(cross(in, out)) > least_turn || dot(in, out) < 0.0;
+  };
+  std::size_t start = 0;
+  while (start < n && !is_corner(start))
+    ++start;
+  start %= n;
+  std::vector<Run> runs;
+  Run run{{outline[start]}};
+  for (std::size_t k = 1; k <= n; ++k) {
+    const std::size_t at = (start + k) % n;
+    run.points.push_back(outline[at]);
+    if (k == n || is_corner(at)) {
+      runs.push_back(run);
+      run.points = {outline[at]};
+    }
+  }
+  return runs;
+}
+
+} // namespace
+
+LiningSurface::LiningSurface(const Lining& lining, const Beam& beam, double cell) {
+  for (const Run& run : runs_of(lining.outline)) {
+    const auto count = static_cast<std::size_t>(std::max(1.0, std::round(run.length() / cell)));
+    const double length = run.length() / static_cast<double>(count);
+    for (std::size_t s = 0; s < count; ++s) {
+      SurfaceSegment segment;
+      segment.length = length;
+      Vector facing{};
+      for (std::size_t q = 0; q < segment.points.size(); ++q) {
+        const double share = (static_cast<double>(q) + 0.5) / static_cast<double>(segment.points.size());
+        const auto [at, normal] = run.at((static_cast<double>(s) + share) * length);
+        segment.points[q] = carried(at, beam);
+        facing = {facing.x + normal.x, facing.y + normal.y};
+      }
+      segment.carrier = carried(run.at((static_cast<double>(s) + 0.5) * length).first, beam).element;
+      segment.normal = turned_back(Ends(beam, segment.carrier).axis(), unit(facing));
+      segments_.push_back(segment);
+    }
+  }
+  for (const Vector& corner : lining.outline)
+    corners_.push_back(carried(corner, beam));
+}
+
+std::vector<Vector> LiningSurface::corners(const Beam& beam) const {
+  std::vector<Vector> now;
+  for (const SurfacePoint& corner : corners_)
+    now.push_back(place(corner, beam));
+  return now;
+}
+
+BeamShape shape_of(const Lining& lining) {
+  const std::vector<Vector>& outline = lining.outline;
+  const std::size_t n = outline.size();
+  if (n < 3 || !(mesh::signed_double_area(outline) > 0.0))
+    throw std::invalid_argument(fmt::format(
+        "the outline of lining '{}' has {} corners; allowed: 3 or more, counter-clockwise around some area",
+        lining.name, n));
+  BeamShape shape{.nodes = {}, .closed = true, .hinges = lining.hinges};
+  for (std::size_t k = 0; k < n; ++k) {
+    // Both edges move inward by t/2; their lines meet at the node.
+    const Vector in = inward(outline[(k + n - 1) % n], outline[k]);
+    const Vector out = inward(outline[k], outline[(k + 1) % n]);
+    const double scale = 0.5 * lining.thickness / (1.0 + dot(in, out));
+    shape.nodes.push_back({outline[k].x + scale * (in.x + out.x), outline[k].y + scale * (in.y + out.y)});
+  }
+  for (std::size_t k = 0; k < n; ++k)
+    if (dot(away(outline[k], outline[(k + 1) % n]), away(shape.nodes[k], shape.nodes[(k + 1) % n])) <= 0.0)
+      throw std::invalid_argument(
+          fmt::format("lining '{}' is {:.6g} m thick, too much for its outline beside "
+                      "x = {:.6g} m, y = {:.6g} m",
+                      lining.name, lining.thickness, outline[k].x, outline[k].y));
+  return shape;
+}
+
+Vector foot(const SurfacePoint& point, const Beam& beam) {
+  const Ends ends(beam, point.element);
+  return between(ends.a, ends.b, point.along);
+}
+
+Vector place(const SurfacePoint& point, const Beam& beam) {
+  const Vector c = foot(point, beam);
+  const Vector arm = turned(Ends(beam, point.element).axis(), point.arm);
+  return {c.x + arm.x, c.y + arm.y};
+}
+
+Vector normal(const SurfaceSegment& segment, const Beam& beam) {
+  return turned(Ends(beam, segment.carrier).axis(), segment.normal);
+}
+
+void add_velocity(const SurfacePoint& point, const Vector& at, double share, const Beam& beam,
+                  std::vector<BeamShare>& to) {
+  const Vector arm = away(foot(point, beam), at);
+  const auto& dofs = beam.elements()[point.element].dofs;
+  const auto add = [&](std::size_t dof, const Vector& velocity) {
+    auto found = std::ranges::find(to, dof, &BeamShare::dof);
+    if (found == to.end())
+      found = to.insert(found, {dof, {}});
+    found->velocity = {found->velocity.x + velocity.x, found->velocity.y + velocity.y};
+  };
+  for (const std::size_t end : {0U, 1U}) {
+    const double w = share * (end == 0 ? 1.0 - point.along : point.along);
+    add(dofs[3 * end], {w, 0.0});
+    add(dofs[3 * end + 1], {0.0, w});
+    add(dofs[3 * end + 2], {-w * arm.y, w * arm.x});
+  }
+}
+
+} // namespace tremolo::mpm_domain
