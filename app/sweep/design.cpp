@@ -1,5 +1,7 @@
 #include "app/sweep/design.hpp"
 
+#include "base/random/variates.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,12 +12,6 @@
 namespace tremolo::app {
 
 namespace {
-
-/// Uniform in [0, 1): the standard leaves open what its own distributions make of a generator's bits.
-double uniform(std::mt19937_64& generator) {
-  constexpr double step = 0x1p-53;
-  return static_cast<double>(generator() >> 11U) * step;
-}
 
 /// Fisher & Yates.
 std::vector<std::size_t> permutation(std::size_t count, std::mt19937_64& generator) {

@@ -1,5 +1,6 @@
 #include "motion/make/synthesis.hpp"
 
+#include "base/random/variates.hpp"
 #include "motion/fourier.hpp"
 #include "motion/read/read.hpp"
 
@@ -253,7 +254,7 @@ Synthesised synthesise(const SynthesisRecipe& recipe) {
 
 std::vector<double> white_noise(std::uint32_t seed, std::size_t count) {
   std::mt19937 generator(seed);
-  const auto uniform = [&] { // 53 bits
+  const auto symmetric = [&] { // 53 bits
     const auto a = static_cast<double>(generator() >> 5U);
     const auto b = static_cast<double>(generator() >> 6U);
     return 2.0 * ((a * 67108864.0 + b) / 9007199254740992.0) - 1.0;
@@ -261,14 +262,9 @@ std::vector<double> white_noise(std::uint32_t seed, std::size_t count) {
   std::vector<double> noise;
   noise.reserve(count + 1);
   while (noise.size() < count) {
-    const double x = uniform();
-    const double y = uniform();
-    const double square = x * x + y * y;
-    if (square >= 1.0 || square == 0.0)
-      continue;
-    const double scale = std::sqrt(-2.0 * std::log(square) / square);
-    noise.push_back(scale * y);
-    noise.push_back(scale * x);
+    const auto [first, second] = normal_pair(symmetric);
+    noise.push_back(second);
+    noise.push_back(first);
   }
   noise.resize(count);
   return noise;
