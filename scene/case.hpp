@@ -11,6 +11,7 @@
 #include "mpm_domain/spec/slices.hpp"
 #include "scene/choices.hpp"
 #include "scene/geometry.hpp"
+#include "scene/random/random_profile.hpp"
 #include "scene/soils/soil_profile.hpp"
 #include "scene/text/errors.hpp"
 #include "scene/water.hpp"
@@ -426,6 +427,7 @@ struct Case {
   std::vector<Structure> structures;      ///< likewise
   double halfspace_damping = 0.0;         ///< ratio, of critical
   std::vector<Layer> profile; ///< from the surface down; empty: the half-space reaches the surface
+  std::optional<RandomProfile> random_profile; ///< whose factors `profile` and the soils have
   Damping damping;
   FeNumerics fe;
   OdeNumerics ode;
@@ -474,5 +476,9 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
 /// load(), with this model on both sides; others may be missing and are not looked at, and so may [mesh].
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file, SourceModel model);
+
+/// The same from text, as parse().
+Case parse_free_field(std::string_view text, const std::filesystem::path& file,
+                      const std::filesystem::path& directory, SourceModel model);
 
 } // namespace tremolo::scene

@@ -178,6 +178,28 @@ constexpr auto words(Unloading) {
   return word_table<Unloading>({{Unloading::masing, "masing"}, {Unloading::mrdf, "mrdf"}});
 }
 
+/// Sites for which Toro (1995) gives the statistics of Vs.
+enum class ToroClass {
+  geomatrix_ab, ///< rock and shallow soil
+  geomatrix_cd, ///< deep soil
+  usgs_ab,      ///< Vs30 above 360 m/s
+  usgs_cd,      ///< below 360 m/s
+  usgs_a,       ///< above 750 m/s
+  usgs_b,       ///< 360 to 750 m/s
+  usgs_c,       ///< 180 to 360 m/s
+  usgs_d        ///< below 180 m/s
+};
+constexpr auto words(ToroClass) {
+  return word_table<ToroClass>({{ToroClass::geomatrix_ab, "geomatrix_ab"},
+                                {ToroClass::geomatrix_cd, "geomatrix_cd"},
+                                {ToroClass::usgs_ab, "usgs_ab"},
+                                {ToroClass::usgs_cd, "usgs_cd"},
+                                {ToroClass::usgs_a, "usgs_a"},
+                                {ToroClass::usgs_b, "usgs_b"},
+                                {ToroClass::usgs_c, "usgs_c"},
+                                {ToroClass::usgs_d, "usgs_d"}});
+}
+
 /// How soil is loaded in a soil test.
 enum class LoadingKind { monotonic, cyclic_stress, cyclic_strain, modulus_curve, path };
 constexpr auto words(LoadingKind) {

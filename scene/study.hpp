@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/words.hpp"
+#include "scene/choices.hpp"
 #include "scene/text/findings.hpp"
 
 #include <cstdint>
@@ -61,6 +62,10 @@ struct Axis {
 
 /// The key whose values are records.
 inline constexpr std::string_view record_key = "motion.file";
+/// The key whose values are profiles of one site.
+inline constexpr std::string_view realisation_key = "random_profile.realisation";
+/// The name that models have as the key of an axis of site responses.
+inline constexpr std::string_view model_key = "model";
 
 /// Motions that are made for a study.
 struct StudyMotions {
@@ -83,6 +88,7 @@ struct Study {
   std::filesystem::path file; ///< as given to load_study()
   std::string title;          ///< empty: that of the case
   std::filesystem::path case_file;
+  std::vector<SourceModel> models; ///< of site responses, a run each; empty: runs are those of the domain
   std::vector<Axis> axes;
   SweepDesign design = SweepDesign::product;
   int samples = 0;        ///< of a Latin hypercube

@@ -8,6 +8,7 @@
 #include "scene/plan/plan.hpp"
 #include "scene/plan/resolved.hpp"
 #include "scene/plan/wet_soils.hpp"
+#include "scene/random/random_text.hpp"
 
 #include <fmt/format.h>
 
@@ -49,6 +50,8 @@ void explain_column(const std::string& file, const std::string& model, bool valu
              motion_levels_text(scene));
   for (const std::string& note : scene::linearised_soils(scene, ground.source))
     fmt::print("  {}\n", note);
+  if (scene.random_profile)
+    fmt::print("\n{}", scene::random_profile_text(scene));
   if (scene.water)
     fmt::print("\n{}", scene::water_text(scene));
   fmt::print("{}", scene::remarks_text(scene));

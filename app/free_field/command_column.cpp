@@ -9,6 +9,7 @@
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/wet_soils.hpp"
+#include "scene/random/random_text.hpp"
 #include "scene/read/override.hpp"
 #include "scene/soils/domain_soils.hpp"
 #include "scene/soils/soil_report.hpp"
@@ -77,11 +78,18 @@ void print_strengths(const scene::Case& scene) {
       fmt::print("  {}\n", compared->text);
 }
 
+/// Prints what all models have alike.
+void print_ground_alone(const scene::Case& scene) {
+  if (scene.random_profile)
+    fmt::print("{}", scene::random_profile_text(scene));
+  if (scene.water)
+    fmt::print("{}", scene::water_text(scene));
+}
+
 /// Prints what a user should know about a ground before it is computed.
 void print_ground(const ColumnGround& ground) {
   fmt::print("{}", scene::remarks_text(ground.scene));
-  if (ground.scene.water)
-    fmt::print("{}", scene::water_text(ground.scene));
+  print_ground_alone(ground.scene);
   print_linearised(ground.scene, ground.source);
   if (ground.scene.regions.empty()) // otherwise the remarks have said it
     print_strengths(ground.scene);
@@ -114,8 +122,8 @@ void compute_models(const Options& options) {
       models,
       [&](scene::SourceModel model) {
         auto ground = ground_of(options, model);
-        if (!said && ground.scene.water)
-          fmt::print("{}", scene::water_text(ground.scene));
+        if (!said)
+          print_ground_alone(ground.scene);
         said = true;
         print_linearised(ground.scene, ground.source);
         return ground;

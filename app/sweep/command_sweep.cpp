@@ -82,7 +82,7 @@ scene::Axis made_motions(const scene::Study& study, const fs::path& folder) {
 
 void sweep(const Options& options) {
   const auto study = scene::load_study(options.study);
-  const auto given = scene::load(study.case_file);
+  const auto given = case_of(study);
   require_monitors(study, given);
   auto axes = study.axes;
   // A wrong recipe is refused before anything is written.
@@ -98,7 +98,10 @@ void sweep(const Options& options) {
                        {"sweep.csv", begins_with("run,")},
                        {"sweep.h5", has_content("sweep")},
                        {"sweep.png", is_picture_of_tremolo},
-                       {"histories.png", is_picture_of_tremolo}},
+                       {"histories.png", is_picture_of_tremolo},
+                       {"spectra.png", is_picture_of_tremolo},
+                       {"amplification.png", is_picture_of_tremolo},
+                       {"profiles.png", is_picture_of_tremolo}},
                       {options.study, study.case_file});
   if (study.motions) {
     axes.insert(axes.begin(), made_motions(study, folder));

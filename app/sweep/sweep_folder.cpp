@@ -66,10 +66,13 @@ Json measures(const std::optional<motion::Measures>& of) {
           {"mean_period", of->mean_period}};
 }
 
-Json axes_json(const std::vector<scene::Axis>& axes) {
+/// Those of the study, and the models of site responses.
+Json axes_json(const scene::Study& study, const std::vector<scene::Axis>& axes) {
   Json all = Json::array();
   for (const scene::Axis& axis : axes)
     all.push_back({{"key", axis.key}, {"unit", axis.unit}, {"values", axis.range ? 0 : axis.values.size()}});
+  if (!study.models.empty())
+    all.push_back({{"key", scene::model_key}, {"unit", ""}, {"values", study.models.size()}});
   return all;
 }
 
@@ -100,13 +103,17 @@ void write_plan(const scene::Study& study, const std::vector<scene::Axis>& axes,
       name = next_name(cases, number);
       write_text_file(cases / (name + ".toml"), run.text);
     }
-    write_text_file(cases / (name + ".recorded.toml"), run.recording_text);
+    if (!run.model)
+      write_text_file(cases / (name + ".recorded.toml"), run.recording_text);
     Json values = Json::array();
     for (std::size_t a = 0; a < axes.size(); ++a)
       values.push_back(shown(axes[a], run.values[a]));
+    if (run.model)
+      values.push_back(Json(scene::name(*run.model)));
     all.push_back(
         {{"name", name},
          {"values", values},
+         {"model", run.model ? Json(scene::name(*run.model)) : Json(nullptr)},
          {"inputs", run.inputs},
          {"free_fields", run.free_fields.empty()
                              ? Json(nullptr)
@@ -118,7 +125,7 @@ void write_plan(const scene::Study& study, const std::vector<scene::Axis>& axes,
                      {"case", fs::absolute(study.case_file).string()},
                      {"design", scene::name(study.design)},
                      {"keeps_recordings", given.recording.exchange},
-                     {"axes", axes_json(axes)},
+                     {"axes", axes_json(study, axes)},
                      {"measures", settings(study)},
                      {"runs", all}};
   write_text_file(folder / "sweep.json", plan.dump(1) + "\n");

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <stdexcept>
 
 namespace tremolo::app {
@@ -130,15 +131,20 @@ bool report(const scene::CaseErrors& errors, const std::vector<scene::Axis>& axe
   return all;
 }
 
+/// When the incident wave is over: at the end of the run, which site responses have after it.
+double end_of(const wavefield::Signal& signal, const scene::Case& scene, bool site_response) {
+  return site_response ? signal.end : std::min(signal.end, scene.end());
+}
+
 /// Measures of the incident wave from its start to the end of the run.
-std::optional<motion::Measures> incident_measures(const scene::Case& scene) {
+std::optional<motion::Measures> incident_measures(const scene::Case& scene, bool site_response) {
   try {
     const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, scene.boundary.left));
     const wavefield::Signal signal = wavefield::incident_signal(scene, ground);
     constexpr double samples_per_period = 8.0; // so that peaks lie on samples
     const double dt = 1.0 / (samples_per_period * signal.highest_frequency);
     const auto count =
-        static_cast<std::size_t>(std::ceil((std::min(signal.end, scene.end()) - signal.begin) / dt)) + 1;
+        static_cast<std::size_t>(std::ceil((end_of(signal, scene, site_response) - signal.begin) / dt)) + 1;
     std::vector<double> velocity(count);
     for (std::size_t i = 0; i < count; ++i)
       if (const double time = signal.begin + static_cast<double>(i) * dt; time <= signal.end)
@@ -149,16 +155,45 @@ std::optional<motion::Measures> incident_measures(const scene::Case& scene) {
   }
 }
 
-SweepRun run_of(const scene::Case& scene, Combination values) {
-  SweepRun run{.values = std::move(values),
-               .text = scene.text,
-               .recording_text = scene::with_value(scene.text, "record.exchange", "true"),
-               .inputs = {},
-               .free_fields = coupler::free_field_identity(scene),
-               .motion = incident_measures(scene)};
+/// The files of data that a case reads, with their checksums.
+std::string inputs_of(const scene::Case& scene) {
+  std::string inputs;
   for (const fs::path& file : scene::data_files(scene))
-    run.inputs += fmt::format("{} {}\n", coupler::text_crc(read_text_file(file)), file.string());
-  return run;
+    inputs += fmt::format("{} {}\n", coupler::text_crc(read_text_file(file)), file.string());
+  return inputs;
+}
+
+SweepRun run_of(const scene::Case& scene, const Combination& values) {
+  return {.values = values,
+          .model = {},
+          .text = scene.text,
+          .recording_text = scene::with_value(scene.text, "record.exchange", "true"),
+          .inputs = inputs_of(scene),
+          .free_fields = coupler::free_field_identity(scene),
+          .motion = incident_measures(scene, false)};
+}
+
+/// The first line of its case keeps apart the runs that differ in their model alone.
+SweepRun site_response_of(const scene::Case& scene, const Combination& values, scene::SourceModel model) {
+  return {.values = values,
+          .model = model,
+          .text = fmt::format("# For `tremolo column --model {}`.\n{}", scene::name(model), scene.text),
+          .recording_text = {},
+          .inputs = inputs_of(scene),
+          .free_fields = {},
+          .motion = incident_measures(scene, true)};
+}
+
+/// The runs of a combination: one, or one a model.
+std::vector<SweepRun> runs_of(const scene::Study& study, const std::string& text, const Combination& values,
+                              const scene::Case& given) {
+  if (study.models.empty())
+    return {run_of(scene::parse(text, given.file, given.directory), values)};
+  std::vector<SweepRun> runs;
+  for (const scene::SourceModel model : study.models)
+    runs.push_back(
+        site_response_of(scene::parse_free_field(text, given.file, given.directory, model), values, model));
+  return runs;
 }
 
 } // namespace
@@ -170,10 +205,10 @@ std::vector<SweepRun> planned_runs(const scene::Study& study, const std::vector<
   findings.throw_if_any();
   const std::string base = scene::overridden_text(given, {});
   std::vector<SweepRun> runs;
-  for (Combination& values : combinations(study, axes)) {
+  for (const Combination& values : combinations(study, axes)) {
     const std::string text = text_of(axes, values, base, findings);
     try {
-      runs.push_back(run_of(scene::parse(text, given.file, given.directory), values));
+      std::ranges::move(runs_of(study, text, values, given), std::back_inserter(runs));
     } catch (const scene::CaseErrors& errors) {
       if (!report(errors, axes, values, text, findings))
         break; // the next ones would say the same in other words
@@ -181,6 +216,11 @@ std::vector<SweepRun> planned_runs(const scene::Study& study, const std::vector<
   }
   findings.throw_if_any();
   return runs;
+}
+
+scene::Case case_of(const scene::Study& study) {
+  return study.models.empty() ? scene::load(study.case_file)
+                              : scene::load_free_field(study.case_file, study.models.front());
 }
 
 void require_monitors(const scene::Study& study, const scene::Case& given) {

@@ -17,8 +17,9 @@ namespace tremolo::app {
 /// One run of a sweep.
 struct SweepRun {
   Combination values;
-  std::string text;           ///< of the case
-  std::string recording_text; ///< of the case that also records its exchange
+  std::optional<scene::SourceModel> model; ///< of a site response; none: a domain runs
+  std::string text;                        ///< of the case
+  std::string recording_text; ///< of the case that also records its exchange; empty of a site response
   std::string inputs;         ///< files of data that it reads, with their checksums
   std::string free_fields;    ///< all that they depend on; empty where nobody else can use them
   std::optional<motion::Measures>
@@ -30,6 +31,10 @@ struct SweepRun {
 /// study
 std::vector<SweepRun> planned_runs(const scene::Study& study, const std::vector<scene::Axis>& axes,
                                    const scene::Case& given);
+
+/// The case of a study as its runs read it: complete, or for site responses its ground and motion alone.
+/// @throws scene::CaseErrors
+scene::Case case_of(const scene::Study& study);
 
 /// Refuses monitors of the study that the case does not have.
 /// @throws scene::CaseErrors

@@ -59,7 +59,7 @@ bool begins_with_any(std::string_view key, const auto& prefixes) {
 /// The values on which the free field of a side depends; keys of the side's own ground without its name.
 /// @param model of the recording
 Values of_free_field(const Values& values, scene::Side side, const std::string& model) {
-  const std::array<std::string, 8> always{"motion.",  "surface.", "halfspace.", "profile[",
+  const std::array<std::string, 9> always{"motion.",  "surface.", "halfspace.", "profile[", "random_profile.",
                                           "damping.", "mesh.",    model + ".",  "rest."};
   const auto soils = soils_of_layers(values);
   const std::string ground = ground_prefix(side);

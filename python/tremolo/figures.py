@@ -8,13 +8,15 @@ from tremolo.site import pictures as site_pictures
 from tremolo.site.read import Site
 from tremolo.soil_test import drawing, record
 from tremolo.sweep import pictures as sweep_pictures
+from tremolo.sweep import site_responses
 from tremolo.sweep.plan import Plan
 from tremolo.sweep.statistics import Sweep
 
 
 def _sweep(path):
     sweep = Sweep(Plan(path))
-    return {"sweep": sweep_pictures.draw(sweep), "histories": sweep_pictures.draw_histories(sweep)}
+    found = {"sweep": sweep_pictures.draw(sweep)}
+    return found | (site_responses.draw(sweep) if sweep.plan.has_site_responses else {"histories": sweep_pictures.draw_histories(sweep)})
 
 
 _FIGURES = {

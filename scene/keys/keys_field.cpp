@@ -2,6 +2,7 @@
 
 #include "scene/choices.hpp"
 #include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/keys/soil/keys_random.hpp"
 #include "scene/keys/stages/keys_motion.hpp"
 
 namespace tremolo::scene {
@@ -140,6 +141,7 @@ std::vector<Table> field_keys() {
           .meaning =
                "Layers of the free field from the surface down; the half-space continues below the last one.",
           .keys = layer_keys()},
+          random_profile_keys(),
           damping(),
       })
     tables.push_back(table);

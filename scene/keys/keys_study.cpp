@@ -3,6 +3,7 @@
 #include "scene/keys/keys_study.hpp"
 
 #include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/study.hpp"
 
 namespace tremolo::scene {
@@ -24,15 +25,36 @@ Table study_top() {
           }};
 }
 
+std::vector<std::string_view> computed_words() {
+  std::vector<std::string_view> all;
+  for (const SourceModel model : computed_models())
+    all.push_back(name(model));
+  return all;
+}
+
+Table study_column() {
+  return {
+      .name = "column",
+      .meaning = "With this table each run is a site response, `tremolo column`, and none of a domain. The "
+                 "case needs its ground and motion alone.",
+      .keys = {{.name = "models",
+                .type = Type::choices,
+                .meaning = "Free-field models, as `--models` of `tremolo column`; each is a run of its own.",
+                .required = true,
+                .choices = computed_words()}}};
+}
+
 Table study_axes() {
-  return {.name = "axes",
-          .open = true,
-          .meaning =
-              "Keys of the case, each with the array of its values: `motion.angle_deg = [0, 15, 30]`. A "
-              "key with one value is set for all runs. Names of files are relative to the study. Tables "
-              "of an array are counted from 0: `\"region[0].soil\" = [\"sand\", \"clay\"]`. In a Latin "
-              "hypercube a number may have a range instead, `soil.sand.young = { low = 20e6, high = "
-              "60e6, scale = \"log\" }`, `scale` being `linear` where it is left out."};
+  return {
+      .name = "axes",
+      .open = true,
+      .meaning =
+          "Keys of the case, each with the array of its values: `motion.angle_deg = [0, 15, 30]`. A "
+          "key with one value is set for all runs. Names of files are relative to the study. Tables "
+          "of an array are counted from 0: `\"region[0].soil\" = [\"sand\", \"clay\"]`. In a Latin "
+          "hypercube a number may have a range instead, `soil.sand.young = { low = 20e6, high = "
+          "60e6, scale = \"log\" }`, `scale` being `linear` where it is left out. `{ count = 30 }` stands "
+          "for the array of the whole numbers from 1 to 30, as of `random_profile.realisation`."};
 }
 
 Table study_design() {
@@ -103,8 +125,8 @@ Table study_measures() {
            .type = Type::text,
            .meaning = "The key of [axes] whose values have a colour each in the pictures; the first one is "
                       "what the others are compared with.",
-           .otherwise = "`motion.angle_deg`, or else the first array of more than one value that is not "
-                        "`motion.file`"},
+           .otherwise = "`model` of several models; `motion.angle_deg`; or else the first array of more than "
+                        "one value that is neither `motion.file` nor `random_profile.realisation`"},
           {.name = "draw",
            .type = Type::texts,
            .meaning = "Measures that the pictures show, by their names in `sweep.csv`, such as "
@@ -134,8 +156,9 @@ Table spectral_ratio() {
 } // namespace
 
 KeyTable study_keys() {
-  static const std::vector<Table> tables = {study_top(),     study_axes(),     study_design(),
-                                            study_motions(), study_measures(), spectral_ratio()};
+  static const std::vector<Table> tables = {study_top(),     study_column(),  study_axes(),
+                                            study_design(),  study_motions(), study_measures(),
+                                            spectral_ratio()};
   return tables;
 }
 
@@ -146,6 +169,17 @@ const Table& range_keys() {
       .keys = {{.name = "low", .meaning = "Lower end.", .required = true},
                {.name = "high", .meaning = "Upper end.", .required = true},
                choice<RangeScale>("scale", "Even on this scale.", RangeScale::linear)}};
+  return table;
+}
+
+const Table& count_keys() {
+  static const Table table = {.name = "axes",
+                              .meaning = "The whole numbers from 1 on.",
+                              .keys = {{.name = "count",
+                                        .type = Type::integer,
+                                        .meaning = "How many.",
+                                        .required = true,
+                                        .range = {.low = 1.0, .high = 10000.0}}}};
   return table;
 }
 

@@ -3,6 +3,7 @@
 #include "scene/plan/plan.hpp"
 #include "scene/plan/stages/stages.hpp"
 #include "scene/plan/wet_soils.hpp"
+#include "scene/random/random_text.hpp"
 #include "scene/soils/domain_soils.hpp"
 #include "scene/soils/ground_column.hpp"
 #include "scene/soils/soil_report.hpp"
@@ -186,6 +187,8 @@ std::string explain(const Case& scene, const Plan& plan) {
                       step_limit_text(plan.limit), size_text(plan.memory_bytes), size_text(plan.output_bytes),
                       plan.frames, duration_text(plan.estimated_time));
   text += soils_text(scene);
+  if (scene.random_profile)
+    text += fmt::format("\n{}", random_profile_text(scene));
   if (scene.water)
     text += "\nWater\n  " + water_text(scene);
   if (!plan.structures.empty())

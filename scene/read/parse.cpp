@@ -31,13 +31,19 @@ void read_sides(Document& document, Side asked, Findings& findings, Case& scene)
                                          name(asked), name(scene.boundary.sides)));
 }
 
-Case read_ground(const std::filesystem::path& file, SourceModel model, CaseRecord record,
-                 std::optional<Side> side) {
-  Findings findings(file.string());
+/// The text of a case, and what its messages and relative names start from.
+struct CaseText {
+  std::string_view text;
+  const std::filesystem::path& file;
+  const std::filesystem::path& directory;
+};
+
+Case read_ground(const CaseText& given, SourceModel model, CaseRecord record, std::optional<Side> side) {
+  Findings findings(given.file.string());
   Case scene;
-  scene.file = file;
-  scene.directory = file.parent_path();
-  scene.text = read_text(file);
+  scene.file = given.file;
+  scene.directory = given.directory;
+  scene.text = given.text;
 
   const toml::table root = parse_toml(scene.text, findings);
   DepthProfiles profiles;
@@ -103,11 +109,16 @@ Case load(const std::filesystem::path& file) {
 }
 
 Case load_free_field(const std::filesystem::path& file, SourceModel model) {
-  return read_ground(file, model, CaseRecord::needed, std::nullopt);
+  return parse_free_field(read_text(file), file, file.parent_path(), model);
+}
+
+Case parse_free_field(std::string_view text, const std::filesystem::path& file,
+                      const std::filesystem::path& directory, SourceModel model) {
+  return read_ground({text, file, directory}, model, CaseRecord::needed, std::nullopt);
 }
 
 Case load_ground(const std::filesystem::path& file, SourceModel model, std::optional<Side> side) {
-  return read_ground(file, model, CaseRecord::to_be_made, side);
+  return read_ground({read_text(file), file, file.parent_path()}, model, CaseRecord::to_be_made, side);
 }
 
 } // namespace tremolo::scene

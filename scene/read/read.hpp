@@ -18,6 +18,8 @@ void read_numerics(Document& document, Case& scene);
 void read_soils(Document& document, Findings& findings, Case& scene);
 /// Layers of an array of tables, "profile" or that of a side; after read_soils.
 std::vector<Layer> read_layers(Document& document, const char* name, Findings& findings, const Case& scene);
+/// The realisation of [random_profile]; after read_layers, before the water table cuts the layers.
+void read_random_profile(Document& document, Findings& findings, Case& scene);
 /// The soil that a table's key `soil` names.
 std::optional<std::size_t> soil_index(const TableReader& table, const std::vector<Soil>& soils,
                                       Findings& findings);

@@ -94,6 +94,7 @@ void read_free_field(Document& document, Findings& findings, Case& scene) {
   if (document.has("soil"))
     read_soils(document, findings, scene);
   scene.profile = read_layers(document, "profile", findings, scene);
+  read_random_profile(document, findings, scene);
   scene.profile = watered_profile(scene);
   read_numerics(document, scene);
   if (scene.boundary.has_shaking_table())

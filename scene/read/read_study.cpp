@@ -1,5 +1,6 @@
 #include "base/unreadable.hpp"
 #include "scene/keys/keys_study.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/read/reader.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/study.hpp"
@@ -86,6 +87,8 @@ private:
     if (const auto* table = node.as_table()) {
       if (is_range(*table))
         read_range(std::move(axis), *table);
+      else if (table->contains("count"))
+        read_count(std::move(axis), *table);
       else
         read(*table, key + ".");
     } else if (const auto* array = node.as_array()) {
@@ -121,6 +124,15 @@ private:
                               fmt::format("'{}' has the value {} twice", axis.key, next.shown));
       axis.values.push_back(std::move(next));
     }
+    axes_.push_back(std::move(axis));
+  }
+
+  void read_count(Axis axis, const toml::table& table) {
+    const std::string path = "axes." + axis.key;
+    reading_.findings.locate(path, axis.place);
+    const TableReader count(count_keys(), &table, path, std::string(axes_table), reading_);
+    for (int number = 1; number <= count.integer("count"); ++number)
+      axis.values.push_back({std::to_string(number), std::to_string(number), axis.place});
     axes_.push_back(std::move(axis));
   }
 
@@ -171,13 +183,16 @@ void check_list(const Study& study, Findings& findings) {
 /// The axis whose values differ by colour.
 std::string colour_of(const Study& study, const TableReader& measures, Findings& findings) {
   const auto compared = [&](std::string_view key) {
-    return std::ranges::any_of(study.axes,
+    return (key == model_key && study.models.size() > 1) ||
+           std::ranges::any_of(study.axes,
                                [&](const Axis& axis) { return axis.key == key && axis.values.size() > 1; });
   };
   if (std::string asked = measures.text("colour"); !asked.empty()) {
     std::vector<std::string_view> keys;
     for (const Axis& axis : study.axes)
       keys.push_back(axis.key);
+    if (!study.models.empty())
+      keys.push_back(model_key);
     if (std::ranges::find(keys, asked) == keys.end())
       findings.add(measures.path("colour"), fmt::format("no axis '{}', {}", asked, suggestion(asked, keys)));
     else if (!compared(asked))
@@ -185,10 +200,11 @@ std::string colour_of(const Study& study, const TableReader& measures, Findings&
                    fmt::format("'{}' has no array of several values to distinguish", asked));
     return asked;
   }
-  if (compared(angle_key))
-    return std::string(angle_key);
+  for (const std::string_view key : {model_key, angle_key})
+    if (compared(key))
+      return std::string(key);
   for (const Axis& axis : study.axes)
-    if (axis.key != record_key && compared(axis.key))
+    if (axis.key != record_key && axis.key != realisation_key && compared(axis.key))
       return axis.key;
   return "";
 }
@@ -206,6 +222,23 @@ void read_motions(Document& document, const fs::path& directory, Findings& findi
                    "[motions] gives the values of 'motion.file': remove one of the two");
 }
 
+/// The models of site responses.
+void read_column(Document& document, Study& study) {
+  if (!document.has("column"))
+    return;
+  for (const std::string& word : document.table("column").texts("models"))
+    study.models.push_back(computed_model(word));
+}
+
+/// Refuses measures of a domain where there is none.
+void refuse_domain_measures(const Document& document, const TableReader& measures, Findings& findings) {
+  constexpr std::string_view why = "belongs to runs of a domain, and those of [column] have none; remove it";
+  if (measures.given("failure_strain"))
+    findings.add(measures.path("failure_strain"), fmt::format("'failure_strain' {}", why));
+  if (document.has("measures.spectral_ratio"))
+    findings.add("measures.spectral_ratio", fmt::format("[measures.spectral_ratio] {}", why));
+}
+
 void read_measures(Document& document, Findings& findings, Study& study) {
   const auto measures = document.table("measures");
   study.failure_strain = measures.number("failure_strain");
@@ -216,6 +249,8 @@ void read_measures(Document& document, Findings& findings, Study& study) {
   if (document.has("measures.spectral_ratio"))
     study.spectral_ratio = {ratio.text("of"), ratio.text("over"), ratio.numbers("periods"),
                             findings.place(ratio.path("of")), findings.place(ratio.path("over"))};
+  if (!study.models.empty())
+    refuse_domain_measures(document, measures, findings);
 }
 
 } // namespace
@@ -234,6 +269,7 @@ Study load_study(const fs::path& file) {
   study.title = top.text("title");
   study.case_file = directory / top.text("case");
   require_readable(top.text("case"), top.path("case"), study.case_file, findings);
+  read_column(document, study);
 
   const auto design = document.table("design");
   study.design = design.choice<SweepDesign>("kind");

@@ -8,13 +8,14 @@ import numpy as np
 
 from tremolo import cost, figures, swap
 from tremolo.run import Run
+from tremolo.site import suite_tables
 from tremolo.site import tables as site_tables
 from tremolo.site.read import Site
 from tremolo.soil_test import record
 from tremolo.report import panels
 from tremolo.report.facts import Table
 from tremolo.report.kinds import kind_of
-from tremolo.sweep import pictures, statistics
+from tremolo.sweep import pictures, site_responses, statistics
 from tremolo.sweep.plan import COMPLETE, Plan, in_words
 
 
@@ -83,7 +84,7 @@ def _sweep(path, key):
     names = statistics.responses(sweep)
     labels = [pictures.label(name, sweep.columns[name].unit).replace("$", "") for name in names]
     tables = [_sweep_groups(sweep, names, labels), *_sweep_pairs(sweep, names, labels), *_sweep_lines(sweep, names, labels),
-              _sweep_runs(sweep, names, labels)]
+              *_sweep_curves(sweep), _sweep_runs(sweep, names, labels)]
     study = Path(sweep.plan.study)
     text = study.read_text(encoding="utf-8") if study.exists() else ""
     return Study(sweep.plan.title, "sweep", charts, maps, tables, text)
@@ -130,6 +131,19 @@ def _sweep_lines(sweep, names, labels):
                              _number(line.deviation)])
     headings = ["response y", sweep.colour_key or "runs", "runs", "factor", "power", "standard deviation of ln y"]
     return [Table(headings, rows, f"Lines y = factor x^power, x: {pictures.INTENSITIES[sweep.intensity]}")] if rows else []
+
+
+_CURVES = {"spectra": "Response spectra, 5 %", "amplification": "Response spectrum of the surface over that of the outcrop",
+           "amplification_fourier": "Smoothed Fourier amplitudes, surface over what lies below (Konno & Ohmachi)",
+           "profile_vs": "Vs at small strain", "profile": "Peak acceleration and strain"}
+
+
+def _sweep_curves(sweep):
+    """Medians and deviations of site responses."""
+    if not sweep.plan.has_site_responses or not sweep.complete:
+        return []
+    found = suite_tables.of_suite(site_responses.families(sweep))
+    return [_columns(table, f"{_CURVES[name]}: median and standard deviation of the logarithm") for name, table in found.items()]
 
 
 def _sweep_runs(sweep, names, labels):

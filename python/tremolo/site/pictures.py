@@ -15,7 +15,7 @@ def _colours(site):
     return {name: style.COLOURS[number % len(style.COLOURS)] for number, name in enumerate(site.models)}
 
 
-def _logarithmic(ax, ticks, limits):
+def logarithmic(ax, ticks, limits):
     ax.set_xscale("log")
     ax.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     ax.minorticks_off()
@@ -75,7 +75,7 @@ def spectra(site):
         axes[1].set(ylabel="surface over outcrop, 5 % spectra", ylim=(0, None))
     axes[0].set(ylabel="spectral acceleration, 5 % (g)", ylim=(0, None))
     for ax in axes:
-        _logarithmic(ax, [tick for tick in PERIODS if period[0] <= tick <= period[-1]], (period[0], period[-1]))
+        logarithmic(ax, [tick for tick in PERIODS if period[0] <= tick <= period[-1]], (period[0], period[-1]))
         ax.set_xlabel("period (s)")
         ax.grid(color="0.92", linewidth=0.6)
         ax.legend()
@@ -96,7 +96,7 @@ def amplifications(site):
                 transform=ax.get_xaxis_transform())
         ax.set(title=kind, ylabel=f"surface over {below}, Fourier", ylim=(0, None), xlabel="frequency (Hz)")
         centres = amplification.smoothed(site.first, below)[0]
-        _logarithmic(ax, [tick for tick in FREQUENCIES if centres[0] <= tick <= centres[-1]], (centres[0], centres[-1]))
+        logarithmic(ax, [tick for tick in FREQUENCIES if centres[0] <= tick <= centres[-1]], (centres[0], centres[-1]))
         ax.grid(color="0.92", linewidth=0.6)
         ax.legend()
     return figure

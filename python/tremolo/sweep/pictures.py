@@ -8,7 +8,7 @@ from matplotlib import ticker
 
 from tremolo import style
 from tremolo.run import Run
-from tremolo.sweep import statistics
+from tremolo.sweep import site_responses, statistics
 from tremolo.sweep.plan import in_words
 
 MOST_COLUMNS = 4  # of groups, and of sampled keys
@@ -206,8 +206,11 @@ def draw_histories(sweep):
 
 
 def write(sweep):
-    """Writes sweep.png and histories.png; yields their paths."""
+    """Writes sweep.png and histories.png, of site responses what site_responses.py makes; yields their paths."""
     yield style.save(draw(sweep), sweep.plan.folder, "sweep.png")
+    if sweep.plan.has_site_responses:
+        yield from site_responses.write(sweep)
+        return
     figure = draw_histories(sweep)
     if figure is not None:
         yield style.save(figure, sweep.plan.folder, "histories.png")

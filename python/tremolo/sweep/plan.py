@@ -2,7 +2,7 @@
 
     sweep.json           the plan: axes, what is measured, and of each run its values and what it reads
     cases/NNNN.toml      the case of a run; NNNN.recorded.toml also records its exchange
-    runs/NNNN/           the run
+    runs/NNNN/           the run; of a site response MODEL.h5 alone
     log/NNNN.txt         what the run printed
     results/NNNN.json    what came of it: status, message, measures
 """
@@ -19,15 +19,17 @@ COMPLETE, FAILED, MISSING = "complete", "failed", "missing"
 
 
 class PlannedRun:
-    """One run: `name`, its `values` in the order of the axes, and `motion`, the measures of its incident wave (may be None)."""
+    """One run: `name`, its `values` in the order of the axes, `motion`, the measures of its incident wave (may be None), and `model`
+    of a site response (None: a domain runs)."""
 
     def __init__(self, entry, folder):
-        self.name, self.values, self.motion = entry["name"], entry["values"], entry["motion"]
+        self.name, self.values, self.motion, self.model = entry["name"], entry["values"], entry["motion"], entry.get("model")
         self.inputs = entry["inputs"]  # files and their checksums
         self.free_fields = entry["free_fields"]  # number that runs with the same free fields share; None: it shares them with none
         self.case = folder / "cases" / f"{self.name}.toml"
         self.recorded_case = folder / "cases" / f"{self.name}.recorded.toml"
         self.folder = folder / "runs" / self.name
+        self.column = self.folder / f"{self.model}.h5"  # of a site response
         self.log = folder / "log" / f"{self.name}.txt"
         self._result = folder / "results" / f"{self.name}.json"
 
@@ -81,6 +83,7 @@ class Plan:
         self.settings = content["measures"]
         self.keeps_recordings = content["keeps_recordings"]
         self.runs = [PlannedRun(entry, self.folder) for entry in content["runs"]]
+        self.has_site_responses = any(run.model for run in self.runs)
 
     def pending(self):
         """Numbers of the runs that have not ended well."""

@@ -1,5 +1,5 @@
-"""What the responses of a sweep have in common: groups of runs that differ in the motion alone, lines over the intensity, and
-runs compared in pairs.
+"""What the responses of a sweep have in common: groups of runs that differ in the motion and the random profile alone, lines over the
+intensity, and runs compared in pairs.
 
 A line is that of least squares through the logarithms, ln y = a + b ln x, with the standard deviation of ln y about it
 (Cornell, Jalayer, Hamburger & Foutch 2002, J. Struct. Eng. 128, 526-533, Eqs. 2 and 3): a lognormal demand with the median
@@ -15,6 +15,7 @@ from tremolo.sweep import table
 from tremolo.sweep.plan import COMPLETE
 
 MOTION_KEY = "motion.file"
+REALISATION_KEY = "random_profile.realisation"
 SPREAD = (16.0, 84.0)  # percentiles, one standard deviation of a normal distribution to each side
 FEWEST = 3  # points of a line
 ALIKE = 1e-3  # relative difference of two responses that are taken for the same
@@ -43,7 +44,7 @@ def fitted(x, y):
 
 
 class Group(NamedTuple):
-    """Runs that differ in the motion alone."""
+    """Runs that differ in the motion and the random profile alone."""
 
     colour: object  # value of the axis that has colours; None without one
     rest: tuple  # (key, value) of the other axes that vary
@@ -59,7 +60,7 @@ class Sweep:
         self.colour_key = plan.settings["colour"] or None
         varied = plan.varied()
         self.has_motions = MOTION_KEY in varied
-        self._rest = [key for key in varied if key not in (MOTION_KEY, self.colour_key)]
+        self._rest = [key for key in varied if key not in (MOTION_KEY, REALISATION_KEY, self.colour_key)]
         self.complete = [number for number, status in enumerate(self.columns["status"].values) if status == COMPLETE]
 
     def value(self, number, key):
@@ -85,7 +86,7 @@ class Sweep:
         return [key for key in self._rest if self.columns[key].is_number and len(set(self.columns[key].values)) > 6]
 
     def groups(self):
-        """Complete runs that differ in the motion alone, or in what was sampled."""
+        """Complete runs that differ in the motion and the random profile alone, or in what was sampled."""
         keys = [key for key in self._rest if key not in self.sampled_keys]
         found = {}
         for number in self.complete:
@@ -186,12 +187,13 @@ def _chosen(sweep):
 
 def responses(sweep, most=6):
     """The measures that are drawn: those that the study asks for; otherwise failure, run-out, tilt, r_u, last displacements, spectral
-    ratios and accelerations, without what is the same in all runs, unless all is."""
+    ratios and accelerations, of site responses peaks, Arias intensity and strain, without what is the same in all runs, unless all
+    is."""
     if sweep.plan.settings["draw"]:
         return _chosen(sweep)
     names = [name for name, column in sweep.columns.items() if column.is_number]
     wanted = ["failure_time_s", "run_out_m", ".final_tilt_rad", ".settlement_m", ".peak_r_u", ".final_displacement_m",
-              "spectral_ratio_", ".peak_ax_m_s2"]
+              "spectral_ratio_", ".peak_ax_m_s2", "surface.pga_m_s2", "surface.pgv_m_s", "surface.arias_m_s", "largest_strain"]
     found = [name for want in wanted for name in names if name == want or (want[0] == "." and name.endswith(want))
              or (want[-1] == "_" and name.startswith(want))]
     found = [name for name in found if np.isfinite(sweep.numbers(name)).any()]

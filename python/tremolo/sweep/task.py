@@ -1,9 +1,12 @@
-"""One run of a sweep: a process `tremolo run`, then what is measured of it. The pool and the tasks of Slurm both end here."""
+"""One run of a sweep: a process `tremolo run` or `tremolo column`, then what is measured of it. The pool and the tasks of Slurm both
+end here."""
 
 import shutil
 import subprocess
 
 from tremolo.run import Run
+from tremolo.site import suite
+from tremolo.site.read import Model
 from tremolo.sweep import measures
 from tremolo.sweep.plan import COMPLETE, FAILED
 
@@ -36,10 +39,7 @@ class Task:
         run.forget()
         shutil.rmtree(run.folder, ignore_errors=True)  # of a run that did not end
         source = next((other for other in self._plan.alike(self._number) if other.recording()), None)
-        command = [self._tremolo, "run", run.recorded_case if self._records else run.case, "--out", run.folder, "--local",
-                   "--threads", str(self._threads)]
-        if source is not None:
-            command += ["--replay", source.folder]
+        command = self._site_response() if run.model else self._domain(source)
         run.log.parent.mkdir(parents=True, exist_ok=True)
         with open(run.log, "w", encoding="utf-8") as log:
             if self._stopped:
@@ -54,6 +54,17 @@ class Task:
         else:
             measure(run, self._plan.settings, replayed)
 
+    def _domain(self, source):
+        run = self._run
+        command = [self._tremolo, "run", run.recorded_case if self._records else run.case, "--out", run.folder, "--local",
+                   "--threads", str(self._threads)]
+        return command + (["--replay", source.folder] if source is not None else [])
+
+    def _site_response(self):
+        run = self._run
+        run.folder.mkdir(parents=True)
+        return [self._tremolo, "column", run.case, "--model", run.model, "--out", run.column]
+
     def stop(self):
         """Ends the run as Ctrl-C does; carry_out() returns soon."""
         self._stopped = True
@@ -64,8 +75,12 @@ class Task:
 def measure(run, settings, replayed):
     """Measures a run that has ended well, and writes its result."""
     try:
-        with Run(run.folder) as results:
-            found = measures.measured(results, settings)
+        if run.model:
+            with Run(run.column) as results:
+                found = suite.measured(Model(run.model, results))
+        else:
+            with Run(run.folder) as results:
+                found = measures.measured(results, settings)
     except (OSError, ValueError, KeyError) as error:
         run.write_result(status=FAILED, message=f"it ended well and cannot be measured: {error}", replayed=replayed, settings=None,
                          measures={})

@@ -11,10 +11,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace tremolo::scene {
@@ -57,7 +60,19 @@ Extent extent_of(std::size_t soil, const Case& scene) {
   return extent;
 }
 
-/// The ends of the slices, from the top down.
+bool lies_in(std::size_t soil, const std::vector<Layer>& layers) {
+  return std::ranges::find(layers, soil, &Layer::soil) != layers.end();
+}
+
+/// The ends of slices of one factor, from the top down.
+std::vector<double> levels_of(const Extent& extent, const RandomProfile& random) {
+  std::vector<double> levels = random.interfaces(extent.high, extent.low);
+  levels.insert(levels.begin(), extent.high);
+  levels.push_back(extent.low);
+  return levels;
+}
+
+/// The ends of slices along the lines of the mesh, from the top down.
 std::vector<double> levels_of(const Extent& extent, const Mesh& mesh) {
   const double near = 1e-6 * mesh.size;
   std::vector<double> levels = {extent.high};
@@ -94,6 +109,32 @@ bool covers(const DepthProfile& profile, const std::string& path, const std::str
   return false;
 }
 
+/// Keys that go with Vs at one Poisson's ratio, and as which power of it.
+constexpr std::array<std::pair<std::string_view, int>, 3> speed_keys = {{{"vs", 1}, {"vp", 1}, {"young", 2}}};
+
+/// Gives the elastic constants of a soil another Vs and the same Poisson's ratio.
+void vary_speed(TableReader& soil, double factor) {
+  for (const auto& [name, power] : speed_keys)
+    if (const auto median = soil.optional_number(name))
+      soil.settle(name, *median * std::pow(factor, power), "random_profile");
+}
+
+/// Adds the keys that [random_profile] varies, and says so of those that vary anyway.
+void add_varied_keys(const TableReader& soil, std::vector<VaryingKey>& keys) {
+  for (const auto& [name, power] : speed_keys) {
+    const auto median = soil.optional_number(name);
+    auto varying = std::ranges::find(keys, name, &VaryingKey::key);
+    if (!median)
+      continue;
+    if (varying == keys.end()) {
+      const Key& known = *table_spec(case_keys(), "soil").find(name);
+      keys.push_back({std::string(name), std::string(known.unit), fmt::format("{:g}", *median), {}});
+      varying = std::prev(keys.end());
+    }
+    varying->profile += " times the factors of [random_profile]";
+  }
+}
+
 /// Cuts one soil.
 class Slicer {
 public:
@@ -101,9 +142,25 @@ public:
       : root_(root), scene_(scene), findings_(findings) {}
 
   /// The slices and their values; nothing, and said, where there cannot be any.
+  /// @param profiles  over depth; without any the soil is cut where the factor of [random_profile] changes
+  /// @param random    whether it has these factors
   std::optional<SoilProfile> cut(const std::string& name, const Extent& extent,
-                                 const std::map<std::string, DepthProfile>& profiles,
+                                 const std::map<std::string, DepthProfile>& profiles, bool random,
                                  std::vector<Soil>& slices) {
+    SoilProfile profile;
+    if (profiles.empty())
+      profile.levels = levels_of(extent, *scene_.random_profile);
+    else if (!cut_over_depth(name, extent, profiles, profile))
+      return std::nullopt;
+    for (std::size_t i = 0; i < profile.slices(); ++i)
+      if (!read_slice(name, i, random, profile, slices))
+        return std::nullopt;
+    return profile;
+  }
+
+private:
+  bool cut_over_depth(const std::string& name, const Extent& extent,
+                      const std::map<std::string, DepthProfile>& profiles, SoilProfile& profile) {
     const std::string path = "soil." + name;
     const double count = (extent.high - extent.low) / scene_.mesh.size;
     if (!(count <= most_slices)) {
@@ -112,23 +169,19 @@ public:
                                 "as the cells, {:g} m, allowed: at most {:.0f}; take larger cells, and "
                                 "[[refine]] where they must be small",
                                 name, std::ceil(count), scene_.mesh.size, most_slices));
-      return std::nullopt;
+      return false;
     }
-    SoilProfile profile{0, levels_of(extent, scene_.mesh), {}};
+    profile.levels = levels_of(extent, scene_.mesh);
     for (const auto& [key, values] : profiles) {
       if (!covers(values, fmt::format("{}.{}", path, key), name, extent, scene_, findings_))
-        return std::nullopt;
+        return false;
       const Key& known = *table_spec(case_keys(), "soil").find(key);
       profile.keys.push_back({key, std::string(known.unit), text(values), {}});
     }
-    for (std::size_t i = 0; i < profile.slices(); ++i)
-      if (!read_slice(name, i, profile, slices))
-        return std::nullopt;
-    return profile;
+    return true;
   }
 
-private:
-  bool read_slice(const std::string& name, std::size_t index, SoilProfile& profile,
+  bool read_slice(const std::string& name, std::size_t index, bool random, SoilProfile& profile,
                   std::vector<Soil>& slices) {
     const double top = profile.levels[index];
     const double bottom = profile.levels[index + 1];
@@ -141,6 +194,10 @@ private:
     DepthProfiles again;
     NamedTable table{name, TableReader(table_spec(case_keys(), "soil"), root_["soil"][name].as_table(), path,
                                        path, {case_keys(), own, values, &again, &place})};
+    if (random && index == 0)
+      add_varied_keys(table.reader, profile.keys);
+    if (random)
+      vary_speed(table.reader, scene_.random_profile->factor_at(y));
     slices.push_back(read_soil_of_case(table, scene_, own));
     for (VaryingKey& key : profile.keys)
       key.values.push_back(table.reader.number(key.key));
@@ -167,7 +224,20 @@ struct Sliced {
   std::map<std::size_t, SoilProfile> profiles{}; ///< of the former soils that are cut
 };
 
-std::vector<Layer> sliced(const std::vector<Layer>& layers, double surface, const Sliced& by) {
+/// Adds the parts of a layer without a soil that differ in their factor.
+void add_varied(const Layer& layer, double top, const RandomProfile& random, std::vector<Layer>& cut) {
+  std::vector<double> ends = random.interfaces(top, top - layer.thickness);
+  ends.push_back(top - layer.thickness);
+  for (const double bottom : ends) {
+    Layer& part = cut.emplace_back(layer);
+    part.thickness = top - bottom;
+    part.elastic.young *= std::pow(random.factor_at(0.5 * (top + bottom)), 2); // G goes as Vs squared
+    top = bottom;
+  }
+}
+
+std::vector<Layer> sliced(const std::vector<Layer>& layers, double surface, const Sliced& by,
+                          const std::optional<RandomProfile>& random) {
   std::vector<Layer> cut;
   double top = surface;
   for (Layer layer : layers) {
@@ -175,7 +245,9 @@ std::vector<Layer> sliced(const std::vector<Layer>& layers, double surface, cons
     const auto profile = layer.soil ? by.profiles.find(*layer.soil) : by.profiles.end();
     if (layer.soil)
       layer.soil = by.first[*layer.soil];
-    if (profile == by.profiles.end()) {
+    if (!layer.soil && random) {
+      add_varied(layer, top, *random, cut);
+    } else if (profile == by.profiles.end()) {
       cut.push_back(layer);
     } else {
       for (std::size_t i = 0; i < profile->second.slices(); ++i) {
@@ -195,19 +267,20 @@ std::vector<Layer> sliced(const std::vector<Layer>& layers, double surface, cons
   return cut;
 }
 
-bool any_sliced(const std::vector<Layer>& layers, const Sliced& by) {
+bool any_sliced(const std::vector<Layer>& layers, const Sliced& by, bool random) {
   return std::ranges::any_of(
-      layers, [&](const Layer& layer) { return layer.soil && by.profiles.contains(*layer.soil); });
+      layers, [&](const Layer& layer) { return layer.soil ? by.profiles.contains(*layer.soil) : random; });
 }
 
 /// Layers under another surface than that of [[profile]] are cut elsewhere.
 void slice_layers(Case& scene, const Sliced& by) {
   for (LateralBoundary* side : {&scene.boundary.left, &scene.boundary.right}) {
-    if (side->own_profile.empty() && side->surface != scene.surface_level && any_sliced(scene.profile, by))
+    if (side->own_profile.empty() && side->surface != scene.surface_level &&
+        any_sliced(scene.profile, by, scene.random_profile.has_value()))
       side->own_profile = scene.profile;
-    side->own_profile = sliced(side->own_profile, side->surface, by);
+    side->own_profile = sliced(side->own_profile, side->surface, by, scene.random_profile);
   }
-  scene.profile = sliced(scene.profile, scene.surface_level, by);
+  scene.profile = sliced(scene.profile, scene.surface_level, by, scene.random_profile);
 }
 
 void put_in_place(Case& scene, Sliced by) {
@@ -244,9 +317,9 @@ std::map<std::string, DepthProfile> profiles_of(const std::string& soil, const D
 } // namespace
 
 void slice_soils(const toml::table& root, const DepthProfiles& profiles, Findings& findings, Case& scene) {
-  if (profiles.empty() || findings.failed())
+  if ((profiles.empty() && !scene.random_profile) || findings.failed())
     return;
-  if (!(scene.mesh.size > 0.0)) {
+  if (!profiles.empty() && !(scene.mesh.size > 0.0)) {
     findings.add(profiles.begin()->first, "a soil that varies over depth is cut into slices as high as the "
                                           "cells of the mesh: [mesh] size and box are needed");
     return;
@@ -256,10 +329,11 @@ void slice_soils(const toml::table& root, const DepthProfiles& profiles, Finding
   for (std::size_t s = 0; s < scene.soils.size(); ++s) {
     by.first.push_back(by.soils.size());
     const auto varying = profiles_of(scene.soils[s].name, profiles);
+    const bool random = scene.random_profile && lies_in(s, scene.profile);
     const Extent extent = extent_of(s, scene);
-    if (varying.empty() || extent.empty()) {
+    if ((varying.empty() && !random) || extent.empty()) {
       by.soils.push_back(scene.soils[s]);
-    } else if (auto profile = slicer.cut(scene.soils[s].name, extent, varying, by.soils)) {
+    } else if (auto profile = slicer.cut(scene.soils[s].name, extent, varying, random, by.soils)) {
       profile->first = by.first.back();
       by.profiles.emplace(s, std::move(*profile));
     }

@@ -45,14 +45,16 @@ def _amplitude(acceleration):
     return DT * np.abs(np.fft.rfft(acceleration))
 
 
-def write_column(path, model):
+def write_column(path, model, factor=None, vs=VS):
+    """factor: of the surface, in place of the model's own; vs: of the clay, m/s."""
+    factor = FACTORS[model] if factor is None else factor
     time, outcrop = pulse()
-    surface = FACTORS[model] * outcrop
+    surface = factor * outcrop
     y = np.linspace(-DEPTH, 0.0, 21)
-    stress = RHO * FACTORS[model] * np.abs(outcrop).max() * -y
+    stress = RHO * factor * np.abs(outcrop).max() * -y
     effective = RHO * G * -y
     ratio = np.where(effective > 0.0, stress / np.where(effective > 0.0, effective, 1.0), 0.0)
-    peak = FACTORS[model] * np.abs(outcrop).max()
+    peak = factor * np.abs(outcrop).max()
     with h5py.File(path, "w") as file:
         file.attrs.update({"schema_version": np.bytes_("1.6"), "content": np.bytes_("column"), "title": np.bytes_("synthetic site"),
                            "status": np.bytes_("complete"), "model": np.bytes_(model), "wave": np.bytes_("SV"), "cpu_time": 0.5,
@@ -67,19 +69,19 @@ def write_column(path, model):
         _table(file, "levels", name=["surface", "10 m"], y=np.array([0.0, -DEPTH]))
         nothing = np.zeros(len(y))
         _table(file, "profile", y=y, peak_ax=np.full(len(y), peak), peak_ay=nothing, peak_vx=nothing, peak_vy=nothing, peak_ux=nothing,
-               peak_uy=nothing, peak_ux_relative=0.01 * (y + DEPTH), peak_uy_relative=nothing, peak_gxy=stress / (RHO * VS**2),
+               peak_uy=nothing, peak_ux_relative=0.01 * (y + DEPTH), peak_uy_relative=nothing, peak_gxy=stress / (RHO * vs**2),
                peak_eyy=nothing, peak_sxy=stress, effective_stress=effective, stress_ratio=ratio, cyclic_stress_ratio=0.65 * ratio)
         _table(file, "spectra", period=PERIODS, surface=response_spectrum(surface, DT, PERIODS), outcrop=response_spectrum(outcrop, DT, PERIODS))
         frequency = np.fft.rfftfreq(len(time), DT)
-        _table(file, "transfer", frequency=frequency, surface_to_base=np.full(len(frequency), FACTORS[model]), surface=_amplitude(surface),
-               base=_amplitude(outcrop), surface_to_outcrop=np.full(len(frequency), FACTORS[model]), outcrop=_amplitude(outcrop))
-        _table(file, "measures", place=["outcrop", "surface", "10 m"], pga=np.array([1.0, FACTORS[model], 1.0]) * np.abs(outcrop).max(),
+        _table(file, "transfer", frequency=frequency, surface_to_base=np.full(len(frequency), factor), surface=_amplitude(surface),
+               base=_amplitude(outcrop), surface_to_outcrop=np.full(len(frequency), factor), outcrop=_amplitude(outcrop))
+        _table(file, "measures", place=["outcrop", "surface", "10 m"], pga=np.array([1.0, factor, 1.0]) * np.abs(outcrop).max(),
                pgv=np.ones(3), arias=np.ones(3), duration_5_75=np.ones(3), duration_5_95=np.ones(3), cav=np.ones(3),
                mean_period=np.ones(3))
         _table(file, "layers", soil=["clay", "half-space"], top=np.array([0.0, DEPTH]), bottom=np.array([DEPTH, np.inf]),
-               density=np.array([RHO, 2200.0]), vs=np.array([VS, 760.0]), vp=np.array([400.0, 1500.0]), damping=np.array([0.02, 0.0]),
-               shear_modulus=np.array([RHO * VS**2, 2200.0 * 760.0**2]), impedance_contrast=np.array([4.6, np.nan]))
-        _table(file, "site", vs30=np.array([394.0]), depth=np.array([DEPTH]), mean_vs=np.array([VS]), period=np.array([0.2]),
+               density=np.array([RHO, 2200.0]), vs=np.array([vs, 760.0]), vp=np.array([400.0, 1500.0]), damping=np.array([0.02, 0.0]),
+               shear_modulus=np.array([RHO * vs**2, 2200.0 * 760.0**2]), impedance_contrast=np.array([4.6, np.nan]))
+        _table(file, "site", vs30=np.array([394.0]), depth=np.array([DEPTH]), mean_vs=np.array([vs]), period=np.array([0.2]),
                period_of_mean_vs=np.array([0.2]), impedance_contrast=np.array([4.6]))
         if model == "eql":
             _table(file, "strain_compatible", top=np.array([0.0, 5.0]), bottom=np.array([5.0, 10.0]), vs=np.array([180.0, 150.0]),

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scene/keys/keys.hpp"
+
+namespace tremolo::scene {
+
+/// [random_profile]
+Table random_profile_keys();
+
+} // namespace tremolo::scene
