@@ -218,6 +218,7 @@ void StaticStages::begin_model(std::size_t first) {
 
 void StaticStages::begin_relaxation() {
   slipping_.clear();
+  find_reach(*model_); // surfaces of elastic bodies turn with them
   relaxation_.emplace(*model_);
 }
 
@@ -230,6 +231,12 @@ void StaticStages::act_with_loads(std::size_t stage) {
         load->load < (load->on_structure ? spec.structure_loads.size() : spec.loads.size()))
       scale(*load, s < stage ? 1.0 : 0.0);
   model_->loads.follow(*model_);
+  weigh_structures();
+}
+
+void StaticStages::weigh_structures() {
+  for (std::size_t b = 0; b < model_->contact.bodies().size(); ++b)
+    model_->contact.weigh(*model_, b, 1.0);
 }
 
 /// Lets a load act with a share of its size.
@@ -240,8 +247,7 @@ void StaticStages::scale(const LoadSettings& load, double share) {
     return;
   }
   model_->contact.structure_loads().scale(load.load, share);
-  for (std::size_t b = 0; b < model_->contact.bodies().size(); ++b)
-    model_->contact.weigh(*model_, b, 1.0);
+  weigh_structures();
 }
 
 /// "from x = 3 to 5 m" or "on the structure 'tower'"

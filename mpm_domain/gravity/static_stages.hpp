@@ -74,6 +74,7 @@ public:
     over_ = read_count(from);
     disturbed_ = numbers_of_size(from, "static.disturbed", 1).front() != 0.0;
     mpm_domain::restore(*model_, from);
+    act_with_loads(over_ - 1);
     take_forces(numbers_of_size(from, "static.forces", 2 * model_->grid.size()));
     ways_ = no_ways();
     take_ways(numbers_of_size(from, "static.ways", numbers_of_way * ways_.size()));
@@ -104,6 +105,7 @@ private:
   void begin_relaxation();
   void act_with_loads(std::size_t stage);
   void scale(const LoadSettings& load, double share);
+  void weigh_structures();
   std::string description(const LoadSettings& load) const;
   Relaxed run(const Course& course, const std::string& what, const std::string& why);
   void end_bonds(const Course& course, const Relaxed& rest);
