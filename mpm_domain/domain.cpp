@@ -5,7 +5,8 @@
 
 namespace tremolo::mpm_domain {
 
-Domain::Domain(const Spec& specification) : Ground(specification), loads(*this), contact(spec) {
+Domain::Domain(const Spec& specification)
+    : Ground(specification), loads(*this), contact(spec), linings(*this) {
   contact.take_bodies(*this);
   boundary.match(*this);
   for (const BoundaryFace& face : boundary.faces())
@@ -22,6 +23,7 @@ void sort_particles(Domain& domain) {
 void find_reach(Domain& domain) {
   find_reach(domain, domain.boundary.shared_nodes());
   domain.contact.follow_sort(domain);
+  domain.linings.follow_sort(domain);
 }
 
 void make_room(Domain& domain, double time, long step) {

@@ -40,6 +40,77 @@ void check_structures(const Spec& spec) {
                       spec.soils.size()));
 }
 
+/// A box around an outline and two of the finest cells beside it, m.
+Box room_around(const std::vector<Vector>& outline, const Spec& spec) {
+  int finest = 0;
+  for (const mesh::Refinement& refine : spec.refine)
+    finest = std::max(finest, refine.level);
+  const double margin = 2.0 * spec.cell_size / static_cast<double>(1 << finest);
+  Box box{outline.front().x, outline.front().y, outline.front().x, outline.front().y};
+  for (const Vector& corner : outline)
+    box = {std::min(box.x_min, corner.x), std::min(box.y_min, corner.y), std::max(box.x_max, corner.x),
+           std::max(box.y_max, corner.y)};
+  return {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
+}
+
+/// A lining meets soil on the finest cells, and touches no node of a side or of what else stands in the soil.
+void check_room_of(const Lining& lining, const Spec& spec) {
+  if (lining.outline.empty())
+    throw std::invalid_argument(fmt::format("lining '{}' has no outline", lining.name));
+  const Box room = room_around(lining.outline, spec);
+  if (room.x_min < spec.box.x_min || room.x_max > spec.box.x_max || room.y_min < spec.box.y_min)
+    throw std::invalid_argument(
+        fmt::format("lining '{}' comes within two cells of the sides or the base of the "
+                    "model: a model that is larger by that much holds it",
+                    lining.name));
+  int finest = 0;
+  bool on_finest = spec.refine.empty();
+  for (const mesh::Refinement& refine : spec.refine)
+    finest = std::max(finest, refine.level);
+  for (const auto& [box, level] : spec.refine)
+    on_finest |= level == finest && box.x_min <= room.x_min && box.y_min <= room.y_min &&
+                 box.x_max >= room.x_max && box.y_max >= std::min(room.y_max, spec.box.y_max);
+  if (!on_finest)
+    throw std::invalid_argument(
+        fmt::format("lining '{}' comes within two cells of cells larger than the finest: "
+                    "it meets soil on the finest alone",
+                    lining.name));
+  const auto refuse_near = [&](const std::string& name, const std::vector<Vector>& outline) {
+    const Box other = room_around(outline, spec);
+    if (other.x_min < room.x_max && other.x_max > room.x_min && other.y_min < room.y_max &&
+        other.y_max > room.y_min)
+      throw std::invalid_argument(fmt::format("the boxes around lining '{}' and around '{}' come within four "
+                                              "cells of each other: both would meet the same soil",
+                                              lining.name, name));
+  };
+  for (const Structure& structure : spec.structures)
+    refuse_near(structure.name, structure.outline);
+  for (const Lining& other : spec.linings)
+    if (&other != &lining)
+      refuse_near(other.name, other.outline);
+}
+
+/// What linings ask of the rest of the spec.
+void check_linings(const Spec& spec) {
+  if (spec.scheme.transfer != Transfer::apic || spec.scheme.subcycle ||
+      spec.scheme.dispersion == Dispersion::reduced)
+    throw std::invalid_argument(
+        "linings need the transfer apic, full dispersion and the same step on all levels");
+  if (spec.rigid_base)
+    throw std::invalid_argument("a rigid base goes without linings");
+  for (const Lining& lining : spec.linings) {
+    if (lining.friction.size() != spec.soils.size() || lining.adhesion.size() != spec.soils.size())
+      throw std::invalid_argument(fmt::format("lining '{}' needs friction and adhesion for each of {} soils",
+                                              lining.name, spec.soils.size()));
+    if (spec.water)
+      throw std::invalid_argument(fmt::format(
+          "lining '{}' stands in ground with a water table: the pressure of pore water on linings is not "
+          "computed, so that they stand in dry ground alone",
+          lining.name));
+    check_room_of(lining, spec);
+  }
+}
+
 /// Holes of elastic structures are dry.
 void check_holes(const Spec& spec, const std::optional<Head>& head) {
   for (const Structure& structure : spec.structures)
@@ -146,6 +217,8 @@ const Spec& checked(const Spec& spec) {
   }
   if (!spec.structures.empty())
     check_structures(spec);
+  if (!spec.linings.empty())
+    check_linings(spec);
   if (!spec.loads.empty())
     check_loads(spec, refuse_unless);
   if (spec.water) {

@@ -68,6 +68,7 @@ void save(const Domain& domain, std::span<const Particles> sets, Writer& to) {
     save(sets[s], "soil" + std::to_string(s), to);
   domain.boundary.save(to);
   domain.contact.save(to);
+  domain.linings.save(to);
   to.write("energy", domain.energy.state());
 }
 
@@ -92,6 +93,7 @@ void restore(Domain& domain, const Reader& from) {
   domain.boundary.follow_sort(domain);
   domain.boundary.restore(from);
   domain.contact.restore(from);
+  domain.linings.restore(from);
   find_reach(domain);
   domain.energy.set_state(numbers_of_size(from, "energy", domain.energy.state().size()));
 }

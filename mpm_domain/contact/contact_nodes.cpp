@@ -39,9 +39,8 @@ bool may_lie_in(const mesh::Rectangle& box, const Ground& ground, std::size_t bl
 
 } // namespace
 
-void ContactNodes::follow_sort(const Ground& ground, const BodySurface& surface, double margin) {
-  near_.clear();
-  mesh::Rectangle box = surface.bounds();
+std::vector<NearParticle> particles_near(const Ground& ground, mesh::Rectangle box, double margin) {
+  std::vector<NearParticle> near;
   box = {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
   for (std::size_t s = 0; s < ground.soil_sets; ++s) {
     const Particles& p = ground.sets[s];
@@ -50,9 +49,14 @@ void ContactNodes::follow_sort(const Ground& ground, const BodySurface& surface,
         continue;
       for (std::size_t k = p.block_start[block]; k < p.block_start[block + 1]; ++k)
         if (p.x[k] > box.x_min && p.x[k] < box.x_max && p.y[k] > box.y_min && p.y[k] < box.y_max)
-          near_.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
+          near.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
     }
   }
+  return near;
+}
+
+void ContactNodes::follow_sort(const Ground& ground, const BodySurface& surface, double margin) {
+  near_ = particles_near(ground, surface.bounds(), margin);
 }
 
 void ContactNodes::find_touches(Ground& ground, const BodySurface& surface) {

@@ -76,6 +76,9 @@ struct NearParticle {
   std::uint32_t index;
 };
 
+/// The particles of the soil in a box with a margin (m) around it.
+std::vector<NearParticle> particles_near(const Ground& ground, mesh::Rectangle box, double margin);
+
 /// The particles that may come to touch a body, and what of it is found anew in every step.
 class ContactNodes {
 public:

@@ -11,7 +11,7 @@ namespace {
 void meet_bodies(Ground& ground, Contact& contact, Step& step) {
   const ContactWork work = contact.meet(ground, step.kicks.front());
   step.kinetic.front() += work.kinetic;
-  step.kinetic_off_grid = contact.kinetic_energy();
+  step.kinetic_off_grid += contact.kinetic_energy();
   EnergyLedger& energy = step.energy;
   energy.gravity += work.gravity;
   energy.static_ += work.load;

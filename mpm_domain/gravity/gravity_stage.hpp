@@ -55,7 +55,7 @@ struct Reactions {
   std::vector<std::size_t> base;  ///< nodes fixed in x and y
   std::vector<std::size_t> sides; ///< nodes fixed in x only
   std::vector<Vector> force;      ///< one per node of the grid; zero where free
-  bool slipping = false; ///< structures do not rest on their friction: they begin to move when bonds end
+  bool slipping = false; ///< structures or linings do not rest on their friction: bonds stay until shaking
   std::vector<std::size_t> slipping_bodies; ///< those that do, as places in Contact::bodies()
   std::vector<CutStress> cut;               ///< soils that cannot hold their stress
   std::vector<StructureWay> ways; ///< of rigid structures; none where there is no stage after gravity

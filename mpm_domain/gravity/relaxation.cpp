@@ -55,6 +55,7 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain) {
   if (domain.has_seepage())
     scatter_seepage(domain, domain.soil_rows, domain.soil_ties);
   domain.contact.begin_rest(domain);
+  domain.linings.begin_rest(domain);
   for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
     std::fill(velocity->begin(), velocity->end(), 0.0);
   find_supports();
@@ -75,6 +76,10 @@ void Relaxation::find_supports() {
       if (contact.body_mass > 0.0)
         supports_.met[contact.body_node] = 1;
     }
+  for (const LiningBody& lining : domain_.linings.bodies())
+    for (const SegmentRows& rows : lining.rows())
+      for (const NodeShare& of_node : rows.soil)
+        supports_.met[of_node.node] = 1;
   for (int level = 0; level < domain_.lattice_count(); ++level)
     find_supports(domain_.lattice(level));
 }
@@ -159,6 +164,7 @@ double Relaxation::relax_grid(bool bonded) {
   }
   if (domain_.contact.any())
     unbalanced += domain_.contact.relax(domain_, keep, gain, bonded, supports_.skin);
+  unbalanced += domain_.linings.relax(domain_, keep, gain, dt_, bonded, supports_.skin);
   return std::sqrt(unbalanced / applied);
 }
 

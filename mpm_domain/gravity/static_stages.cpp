@@ -19,7 +19,7 @@ std::vector<std::size_t> moving_bodies(const Domain& domain) {
   std::vector<double> speeds;
   for (std::size_t b = 0; b < domain.contact.bodies().size(); ++b)
     speeds.push_back(domain.contact.speed(domain, b));
-  const double fastest = std::ranges::max(speeds);
+  const double fastest = speeds.empty() ? 0.0 : std::ranges::max(speeds);
   std::vector<std::size_t> moving;
   for (std::size_t b = 0; b < speeds.size(); ++b)
     if (speeds[b] >= 0.01 * fastest)
@@ -30,9 +30,9 @@ std::vector<std::size_t> moving_bodies(const Domain& domain) {
 /// Relaxes once more with structures that may slide and part from the soil, so that the shaking begins
 /// without a kick. If that finds no rest, the bonded state stays.
 /// @param course  in which they have been bonded, and which ended at `rest`
-/// @returns the bodies that move on
-std::vector<std::size_t> release(Domain& domain, Relaxation& relaxation, const Course& course,
-                                 const Relaxed& rest, const GravityProgress& progress) {
+/// @returns the bodies that move on; none: all rests
+std::optional<std::vector<std::size_t>> release(Domain& domain, Relaxation& relaxation, const Course& course,
+                                                const Relaxed& rest, const GravityProgress& progress) {
   constexpr long least =
       1000; // steps that friction may take to find its share, and as often those of the bonds
   const long steps = std::max(least, 4 * (rest.step - course.first));
@@ -42,13 +42,16 @@ std::vector<std::size_t> release(Domain& domain, Relaxation& relaxation, const C
   released.first = rest.step;
   released.time = static_cast<double>(steps) * relaxation.step();
   const std::vector<Particles> bonded = domain.sets;
-  std::vector<std::size_t> moving;
+  const Linings bonded_linings = domain.linings;
+  std::optional<std::vector<std::size_t>> moving;
   if (!(relaxation.run(released, progress).residual < course.residual)) {
     moving = moving_bodies(domain);
     domain.sets = bonded;
+    domain.linings = bonded_linings;
     relaxation.find_forces();
   }
   domain.contact.end_rest();
+  domain.linings.end_rest();
   return moving;
 }
 
@@ -85,6 +88,11 @@ StaticStages::StaticStages(Domain& end, const GravitySettings& gravity, std::spa
   if (!(end.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", end.spec.gravity));
+  if (!end.spec.linings.empty() && std::ranges::any_of(stages_, [](const StaticStage& stage) {
+        return std::holds_alternative<ConstructionSettings>(stage);
+      }))
+    throw std::invalid_argument("linings stand from the gravity stage on: a stage of construction, which "
+                                "carries stresses to another model, does not carry theirs");
   begin_model(0);
 }
 
@@ -119,8 +127,8 @@ void StaticStages::show(const std::function<void(Domain& model)>& act) {
 
 Reactions StaticStages::finish() {
   Reactions reactions = std::move(reactions_);
-  reactions.slipping_bodies = slipping_;
-  reactions.slipping = !slipping_.empty();
+  reactions.slipping_bodies = slipping_.value_or(std::vector<std::size_t>{});
+  reactions.slipping = slipping_.has_value();
   reactions.cut = begin_history(*model_);
   reactions.ways = ways_;
   return reactions;
@@ -147,7 +155,7 @@ void StaticStages::go(const LoadSettings& load) {
   }
   Course course = course_of(load);
   course.grow = [&](double share) { scale(load, share); };
-  course.bonded = model_->contact.any();
+  course.bonded = model_->contact.any() || model_->linings.any();
   const Relaxed loaded =
       run(course, fmt::format("the ground did not come to rest under the load {}", description(load)),
           "it may not carry the load");
@@ -217,7 +225,7 @@ void StaticStages::begin_model(std::size_t first) {
 }
 
 void StaticStages::begin_relaxation() {
-  slipping_.clear();
+  slipping_.reset();
   find_reach(*model_); // surfaces of elastic bodies turn with them
   relaxation_.emplace(*model_);
 }
@@ -269,7 +277,7 @@ Relaxed StaticStages::run(const Course& course, const std::string& what, const s
 }
 
 void StaticStages::end_bonds(const Course& course, const Relaxed& rest) {
-  if (model_->contact.any())
+  if (model_->contact.any() || model_->linings.any())
     slipping_ = release(*model_, *relaxation_, course, rest,
                         [this](long step, double residual) { progress_(over_, step, residual); });
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 // The static stages of a run (gravity_stage.hpp), one after the other. What the next stage depends on is the
-// state of the model's particles and structures, how far these have gone, whether an excess pressure was
-// left, and the forces on the nodes,
+// state of the model's particles, structures and linings, how far these have gone, whether an excess pressure
+// was left, and the forces on the nodes,
 //
 //     f0 = what soil and loads exert, and what a structure that goes next presses onto the soil,
 //
@@ -30,7 +30,7 @@ public:
   /// @param end   the model after the last stage, to which all of them happen where none is a construction;
   ///              outlives this
   /// @param then  the stages after gravity
-  /// @throws std::invalid_argument for a model without weight
+  /// @throws std::invalid_argument for a model without weight, or for construction with linings
   StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
                StageProgress progress);
 
@@ -128,7 +128,8 @@ private:
   Reactions reactions_;            ///< of the last stage
 
   std::optional<Relaxation> relaxation_; ///< of the present stage
-  std::vector<std::size_t> slipping_;    ///< bodies that its end does not hold
+  /// Bodies that its end does not hold; none: all rests.
+  std::optional<std::vector<std::size_t>> slipping_;
 };
 
 } // namespace tremolo::mpm_domain

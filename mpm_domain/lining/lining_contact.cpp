@@ -47,15 +47,17 @@ std::vector<double> soil_answer(std::span<const SegmentRows> rows, std::span<con
 /// Adds H A^-1 H^T.
 void add_beam_answer(std::span<const SegmentRows> rows, const BeamStep& step, std::vector<double>& g) {
   const std::size_t size = 2 * rows.size();
-  std::vector<double> x(step.trial().size());
-  for (std::size_t c = 0; c < size; ++c) {
-    std::ranges::fill(x, 0.0);
+  std::vector<double> x(step.trial().size() * size, 0.0); // A^-1 H^T
+  for (std::size_t c = 0; c < size; ++c)
     for (const auto& [dof, velocity] : rows[c / 2].beam)
-      x[dof] = dot(velocity, direction(rows, c));
-    step.answer(x);
-    for (std::size_t r = c - c % 2; r < size; ++r)
-      g[r * size + c] += dot(beam_velocity(rows[r / 2], x), direction(rows, r));
-  }
+      x[dof * size + c] = dot(velocity, direction(rows, c));
+  step.answer(x, size);
+  for (std::size_t r = 0; r < size; ++r)
+    for (const auto& [dof, velocity] : rows[r / 2].beam) {
+      const double share = dot(velocity, direction(rows, r));
+      for (std::size_t c = 0; c <= r; ++c)
+        g[r * size + c] += share * x[dof * size + c];
+    }
 }
 
 void mirror(std::vector<double>& g, std::size_t size) {
@@ -105,7 +107,8 @@ std::vector<double> LiningContact::meet(std::span<const SegmentRows> rows, const
     if (!bonded)
       closing[2 * k] -= gaps_[rows[k].segment] / dt;
   }
-  std::vector<double> answer = soil_answer(rows, soil.mass);
+  soil_answer_ = soil_answer(rows, soil.mass);
+  std::vector<double> answer = soil_answer_;
   add_beam_answer(rows, step, answer);
   mirror(answer, 2 * rows.size());
   solve_segments(answer, closing, contacts, bonded);
@@ -157,7 +160,6 @@ void LiningContact::follow_gaps(std::span<const SegmentRows> rows, const SoilMot
 
 std::vector<NodeChange> LiningContact::stopped(std::span<const SegmentRows> rows, const SoilMotion& soil,
                                                std::span<const double> v) const {
-  const std::vector<double> answer = soil_answer(rows, soil.mass);
   const std::vector<double> closing = closing_speeds(rows, soil, v);
   std::vector<std::size_t> stopped;
   for (std::size_t row = 0; row < closing.size(); ++row) {
@@ -172,7 +174,7 @@ std::vector<NodeChange> LiningContact::stopped(std::span<const SegmentRows> rows
     speeds(static_cast<Eigen::Index>(r)) = closing[stopped[r]];
     for (std::size_t c = 0; c <= r; ++c)
       g(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
-          answer[stopped[r] * closing.size() + stopped[c]];
+          soil_answer_[stopped[r] * closing.size() + stopped[c]];
   }
   const Eigen::VectorXd impulses = g.selfadjointView<Eigen::Lower>().llt().solve(speeds);
   std::vector<NodeChange> changes;

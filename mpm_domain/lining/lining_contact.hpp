@@ -57,8 +57,8 @@ public:
   void follow_gaps(std::span<const SegmentRows> rows, const SoilMotion& soil, std::span<const double> v,
                    double dt);
 
-  /// Impulses on a lining that does not answer, which end the motion of soil into tied segments, and along
-  /// those that stick: the changes of the soil's nodes.
+  /// With the rows and masses of the last step: impulses on a lining that does not answer, which end the
+  /// motion of soil into tied segments, and along those that stick: the changes of the soil's nodes.
   std::vector<NodeChange> stopped(std::span<const SegmentRows> rows, const SoilMotion& soil,
                                   std::span<const double> v) const;
 
@@ -71,6 +71,7 @@ private:
   std::vector<SegmentContact> segments_;
   std::vector<double> lengths_; ///< m
   std::vector<double> gaps_;
+  std::vector<double> soil_answer_; ///< B m^-1 B^T of the last step, its lower half, row after row
 };
 
 } // namespace tremolo::mpm_domain

@@ -49,7 +49,11 @@ public:
       columns.col(k) += segment.slip * segment.friction * answer_.col(of + 1);
       right -= segment.slip * segment.adhesion * answer_.col(of + 1);
     }
-    const Eigen::VectorXd found = columns(unknown, Eigen::all).partialPivLu().solve(right(unknown));
+    const Eigen::MatrixXd square = columns(unknown, Eigen::all);
+    const bool symmetric = std::ranges::none_of(
+        segments_, [](const SegmentContact& s) { return s.tied && s.slip != 0 && s.friction > 0.0; });
+    const Eigen::VectorXd found = symmetric ? Eigen::VectorXd(square.llt().solve(right(unknown)))
+                                            : Eigen::VectorXd(square.partialPivLu().solve(right(unknown)));
     for (std::size_t k = 0; k < unknown.size(); ++k)
       impulses(unknown[k]) = found(static_cast<Eigen::Index>(k));
     for (std::size_t s = 0; s < segments_.size(); ++s)

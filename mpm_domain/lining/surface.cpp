@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -59,25 +57,23 @@ struct Ends {
   Vector axis() const { return unit(away(a, b)); }
 };
 
-SurfacePoint carried(const Vector& at, const Beam& beam) {
-  SurfacePoint point;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t e = 0; e < beam.elements().size(); ++e) {
-    const Ends ends(beam, e);
-    const Vector chord = away(ends.a, ends.b);
-    const double xi = std::clamp(dot(away(ends.a, at), chord) / square(chord), 0.0, 1.0);
-    const Vector arm = away(between(ends.a, ends.b, xi), at);
-    if (square(arm) < least) {
-      least = square(arm);
-      point = {e, xi, turned_back(ends.axis(), arm)};
-    }
-  }
-  return point;
+SurfacePoint carried(const Vector& at, std::size_t element, const Beam& beam) {
+  const Ends ends(beam, element);
+  const Vector chord = away(ends.a, ends.b);
+  const double xi = std::clamp(dot(away(ends.a, at), chord) / square(chord), 0.0, 1.0);
+  return {element, xi, turned_back(ends.axis(), away(between(ends.a, ends.b, xi), at))};
 }
+
+/// A place on the outline, the normal there, into the body, and the number of its edge.
+struct RunPlace {
+  Vector place, normal;
+  std::size_t edge;
+};
 
 /// A way along the outline from one corner of it to the next, or once around one without corners.
 struct Run {
   std::vector<Vector> points;
+  std::size_t first = 0; ///< number of its first edge; that of the last may be beyond those of the outline
 
   double length() const {
     double sum = 0.0;
@@ -85,12 +81,13 @@ struct Run {
       sum += std::hypot(points[k + 1].x - points[k].x, points[k + 1].y - points[k].y);
     return sum;
   }
-  /// The place at a distance (m) from its beginning, and the normal there, into the body.
-  std::pair<Vector, Vector> at(double distance) const {
+  /// The place at a distance (m) from its beginning.
+  RunPlace at(double distance) const {
     for (std::size_t k = 0;; ++k) {
       const double edge = std::hypot(points[k + 1].x - points[k].x, points[k + 1].y - points[k].y);
       if (distance <= edge || k + 2 == points.size())
-        return {between(points[k], points[k + 1], distance / edge), inward(points[k], points[k + 1])};
+        return {between(points[k], points[k + 1], distance / edge), inward(points[k], points[k + 1]),
+                first + k};
       distance -= edge;
     }
   }
@@ -108,13 +105,13 @@ std::vector<Run> runs_of(const std::vector<Vector>& outline) {
     ++start;
   start %= n;
   std::vector<Run> runs;
-  Run run{{outline[start]}};
+  Run run{{outline[start]}, start};
   for (std::size_t k = 1; k <= n; ++k) {
     const std::size_t at = (start + k) % n;
     run.points.push_back(outline[at]);
     if (k == n || is_corner(at)) {
       runs.push_back(run);
-      run.points = {outline[at]};
+      run = {{outline[at]}, at};
     }
   }
   return runs;
@@ -132,17 +129,17 @@ LiningSurface::LiningSurface(const Lining& lining, const Beam& beam, double cell
       Vector facing{};
       for (std::size_t q = 0; q < segment.points.size(); ++q) {
         const double share = (static_cast<double>(q) + 0.5) / static_cast<double>(segment.points.size());
-        const auto [at, normal] = run.at((static_cast<double>(s) + share) * length);
-        segment.points[q] = carried(at, beam);
-        facing = {facing.x + normal.x, facing.y + normal.y};
+        const RunPlace on = run.at((static_cast<double>(s) + share) * length);
+        segment.points[q] = carried(on.place, on.edge % beam.elements().size(), beam);
+        facing = {facing.x + on.normal.x, facing.y + on.normal.y};
       }
-      segment.carrier = carried(run.at((static_cast<double>(s) + 0.5) * length).first, beam).element;
+      segment.carrier = run.at((static_cast<double>(s) + 0.5) * length).edge % beam.elements().size();
       segment.normal = turned_back(Ends(beam, segment.carrier).axis(), unit(facing));
       segments_.push_back(segment);
     }
   }
-  for (const Vector& corner : lining.outline)
-    corners_.push_back(carried(corner, beam));
+  for (std::size_t k = 0; k < lining.outline.size(); ++k)
+    corners_.push_back(carried(lining.outline[k], k, beam));
 }
 
 std::vector<Vector> LiningSurface::corners(const Beam& beam) const {

@@ -1,8 +1,8 @@
 #pragma once
 
-// The surface of a lining as the beam carries it. A point X of the surface belongs to the element with the
-// nearest chord, at the foot c = (1 - xi) x_a + xi x_b, and keeps its arm X - c in the frame of that chord.
-// Its velocity is
+// The surface of a lining as the beam carries it. A point X of the surface belongs to the element behind its
+// edge of the outline, at the foot c = (1 - xi) x_a + xi x_b, and keeps its arm X - c in the frame of that
+// chord. Its velocity is
 //
 //     H v = sum_k w_k (v_k + theta'_k e_z x (X - c)),        w = (1 - xi, xi),
 //

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -114,6 +116,20 @@ std::vector<std::vector<Vector>> polygons_of(const std::vector<Owner>& owners,
   return polygons;
 }
 
+/// Highest and lowest point of an outline at some x; none: it does not reach there.
+std::optional<std::pair<double, double>> chord_at(const std::vector<Vector>& outline, double x) {
+  std::optional<std::pair<double, double>> chord;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const Vector& a = outline[j];
+    const Vector& b = outline[i];
+    if ((a.x > x) == (b.x > x))
+      continue;
+    const double y = a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y);
+    chord = chord ? std::pair(std::max(chord->first, y), std::min(chord->second, y)) : std::pair(y, y);
+  }
+  return chord;
+}
+
 } // namespace
 
 std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, const mesh::Quadtree* tree) {
@@ -125,6 +141,7 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
   const std::vector<Kind> kinds = kinds_of(spec);
   const auto regions = polygons_of(spec.regions, &Region::polygon);
   auto structures = polygons_of(spec.structures, &Structure::outline);
+  std::ranges::transform(spec.linings, std::back_inserter(structures), &Lining::outline);
   if (structures.empty() && spec.cut_at_edges)
     structures.emplace_back(); // an outline without corners
   Plots plots;
@@ -164,7 +181,7 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
 }
 
 /// Every particle stands in all columns, as wide as the smallest particles, that it covers, and takes the
-/// mean of their overburdens.
+/// mean of their overburdens. What lies under a lining has borne the soil that stood in its place.
 void set_rest_stress(std::span<Particles> sets, const Spec& spec,
                      const std::function<bool(std::size_t, std::size_t)>& concerns) {
   const int finest = std::ranges::max(sets, {}, &Particles::level).level;
@@ -187,11 +204,23 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec,
         columns[first + c].push_back({set.y[k], &set, k});
       set.syy[k] = 0.0;
     }
-  for (std::vector<Place>& column : columns) {
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    std::vector<Place>& column = columns[c];
+    std::vector<std::pair<double, double>> cavities;
+    for (const Lining& lining : spec.linings)
+      if (const auto chord =
+              chord_at(lining.outline, spec.box.x_min + (static_cast<double>(c) + 0.5) * width))
+        cavities.push_back(*chord);
+    const Place* above = nullptr;
     std::sort(column.begin(), column.end(), [](const Place& a, const Place& b) { return a.y > b.y; });
     double overburden = 0.0;
     for (const Place& place : column) {
       Particles& set = *place.set;
+      for (const auto& [top, bottom] : cavities)
+        if (const double middle = 0.5 * (top + bottom);
+            above != nullptr && above->y > middle && place.y < middle)
+          overburden += above->set->weight_share * above->set->density * spec.gravity * (top - bottom);
+      above = &place;
       const double rising =
           set.traits.seeping ? set.water->unit_weight * set.volume[place.k] * set.head_slope_y[place.k] : 0.0;
       const double weight =

@@ -21,8 +21,8 @@ inline double particle_size(const Spec& spec, int level = 0) {
 /// Lays particles on a square lattice aligned with the model box, particles_per_cell per cell and direction,
 /// wherever the lattice point lies in a region. One set per soil, in the order of Spec::soils.
 ///
-/// In a spec with structures, squares are cut by these and by the edges of the regions: what is left keeps
-/// its area, and its particle stands at its centroid.
+/// In a spec with structures or linings, squares are cut by these and by the edges of the regions: what is
+/// left keeps its area, and its particle stands at its centroid.
 ///
 /// On a graded mesh every leaf is filled alike, so that a particle's size goes with its cell; there is one
 /// set per soil and level, level by level.

@@ -121,6 +121,8 @@ std::optional<std::string> not_for_ranks(const Spec& spec) {
     return "a mesh of several levels";
   if (!spec.structures.empty())
     return "a structure";
+  if (!spec.linings.empty())
+    return "a lining";
   if (!spec.loads.empty())
     return "a load on the surface, which goes with particles that other ranks may have,";
   if (spec.sides == Sides::periodic || spec.sides == Sides::periodic_springs)

@@ -25,7 +25,8 @@
 //
 // Structures have kinetic energy and weight as the soil has; sliding along them dissipates `friction`, and
 // where soil and structures, or two structures, take a common velocity the impulses dissipate `impact`
-// (contact/contact.hpp).
+// (contact/contact.hpp). Linings do likewise; what their elements store is elastic work, and what backward
+// Euler damps of their motion is viscous (lining/lining_body.hpp).
 
 #include "mpm_domain/spec/output_columns.hpp"
 

@@ -6,6 +6,7 @@
 #include "materials/water/soil_clock.hpp"
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/fields/particle_fields.hpp"
+#include "mpm_domain/spec/lining.hpp"
 #include "mpm_domain/spec/numerics.hpp"
 #include "mpm_domain/spec/structure.hpp"
 
@@ -96,6 +97,7 @@ struct Spec {
   std::vector<Soil> soils;
   std::vector<Region> regions;
   std::vector<Structure> structures = {};
+  std::vector<Lining> linings = {};
   std::vector<SurfaceLoad> loads = {};
   std::vector<StructureLoad> structure_loads = {};
   /// Squares of particles are cut at the edges of regions even where there are no structures, since the model

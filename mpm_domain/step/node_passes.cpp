@@ -22,6 +22,7 @@ void find_velocities(Ground& ground, Step& step) {
 }
 
 void update_nodes(Ground& ground, Step& step) {
+  step.kinetic_off_grid = 0.0; // contact adds what there is
   for (int clock = step.ticks.first_due(); clock < step.ticks.clocks(); ++clock) {
     const auto of_clock = static_cast<std::size_t>(clock);
     step.kicks[of_clock] = step.ticks.kick_of(clock);

@@ -5,6 +5,7 @@
 #include "mpm_domain/boundary/walls/impervious_faces.hpp"
 #include "mpm_domain/contact/passes.hpp"
 #include "mpm_domain/contact/structure_loads.hpp"
+#include "mpm_domain/lining/passes.hpp"
 #include "mpm_domain/step/node_passes.hpp"
 #include "mpm_domain/step/step_passes.hpp"
 #include "mpm_domain/transfer/passes/passes.hpp"
@@ -28,6 +29,7 @@ std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
   add(node_books(domain));
   add(water_passes(domain));
   add(contact_passes(domain, domain.contact));
+  add(lining_passes(domain, domain.linings));
   add(sharp_passes(domain));
   add(step_passes(domain));
   std::ranges::stable_sort(passes, {}, &Pass::phase);

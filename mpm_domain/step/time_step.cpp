@@ -151,7 +151,7 @@ double critical_time_step(Domain& domain, double max_speed) {
 }
 
 double fastest_point(const Domain& domain) {
-  double speed = domain.contact.fastest_point();
+  double speed = std::max(domain.contact.fastest_point(), domain.linings.fastest_point());
   for (const Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
       speed = std::max(speed, std::hypot(set.vx[k], set.vy[k]));

@@ -22,16 +22,24 @@ void BandMatrix::factorise() {
   }
 }
 
-void BandMatrix::solve(std::span<double> x) const {
+void BandMatrix::solve(std::span<double> x, std::size_t columns) const {
+  const auto subtract = [&](std::size_t from, double factor, std::size_t row) {
+    for (std::size_t c = 0; c < columns; ++c)
+      x[from * columns + c] -= factor * x[row * columns + c];
+  };
+  const auto divide = [&](std::size_t row) {
+    for (std::size_t c = 0; c < columns; ++c)
+      x[row * columns + c] /= at(row, row);
+  };
   for (std::size_t i = 0; i < size_; ++i) {
     for (std::size_t j = first(i); j < i; ++j)
-      x[i] -= at(i, j) * x[j];
-    x[i] /= at(i, i);
+      subtract(i, at(i, j), j);
+    divide(i);
   }
   for (std::size_t i = size_; i-- > 0;) {
-    x[i] /= at(i, i);
+    divide(i);
     for (std::size_t j = first(i); j < i; ++j)
-      x[j] -= at(i, j) * x[i];
+      subtract(j, at(i, j), i);
   }
 }
 

@@ -32,8 +32,9 @@ public:
   /// Puts L in the place of A.
   /// @throws std::runtime_error if A is not positive definite
   void factorise();
-  /// x = A^-1 x, after factorise().
-  void solve(std::span<double> x) const;
+  /// X = A^-1 X, after factorise().
+  /// @param columns  of X, which stands in x row after row
+  void solve(std::span<double> x, std::size_t columns = 1) const;
 
 private:
   /// The entry in row i and column j, i - w <= j <= i.

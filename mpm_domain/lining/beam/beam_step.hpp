@@ -29,8 +29,9 @@ public:
 
   /// The velocities without any impulse.
   const std::vector<double>& trial() const { return trial_; }
-  /// x = A^-1 x.
-  void answer(std::span<double> x) const { admittance_.solve(x); }
+  /// X = A^-1 X.
+  /// @param columns  of X, which stands in x row after row
+  void answer(std::span<double> x, std::size_t columns = 1) const { admittance_.solve(x, columns); }
 
 private:
   BandMatrix admittance_;

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ostream>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -40,6 +41,10 @@ struct Ovaling {
   double flexibility;
   bool sticks;
 };
+
+void PrintTo(const Ovaling& ovaling, std::ostream* to) {
+  *to << "F = " << ovaling.flexibility << (ovaling.sticks ? ", no slip" : ", full slip");
+}
 
 /// E of ground with a flexibility ratio F = E (1 - nu_l^2) R^3/(6 E_l I (1 + nu)) (Pa).
 double young_of(double flexibility) {

@@ -1,0 +1,99 @@
+#pragma once
+
+// A lining in the domain: its beam (beam/beam.hpp), its surface as the beam carries it (surface.hpp), and
+// contact with the soil (lining_contact.hpp). In a step the beam makes its implicit step without contact, the
+// grid its update, and the impulses of contact change both.
+//
+// Where the velocities that strain the soil are remapped (musl), segments that are tied take from them what
+// would drive soil into the lining, which moves no particle and no beam.
+//
+// Energy. The beam's kinetic energy changes by the powers of impulses, weight and elements on (v- + v+)/2.
+// What the elements take is booked as elastic work as far as their strain energy grows, and the rest, what
+// backward Euler damps, as viscous.
+
+#include "mpm_domain/contact/body_surface.hpp"
+#include "mpm_domain/contact/contact_nodes.hpp"
+#include "mpm_domain/lining/lining_contact.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+struct Ground;
+
+/// What a lining changes of the energy in a step, J/m.
+struct LiningWork {
+  double kinetic = 0.0;  ///< of the soil's nodes
+  double gravity = 0.0;  ///< work of weight on the beam, and on what contact changes of the soil
+  double elements = 0.0; ///< what the elements have taken from the motion of the beam
+  double friction = 0.0; ///< dissipated by sliding, >= 0
+  double impact = 0.0;   ///< dissipated where lining and soil meet, or part
+};
+
+class LiningBody {
+public:
+  /// In place, free of stress and at rest.
+  /// @throws std::invalid_argument for a lining that cannot be built
+  LiningBody(const Lining& lining, const Ground& ground);
+
+  const std::string& name() const { return lining_.name; }
+  const Beam& beam() const { return beam_; }
+  const LiningContact& contact() const { return contact_; }
+  const std::vector<SegmentRows>& rows() const { return rows_; }
+  /// Corners of the surface now, counter-clockwise, m.
+  const std::vector<Vector>& outline() const { return surface_.points(); }
+  double fastest_point() const; ///< m/s
+  /// Particles that had to be brought back out of the lining, over all steps.
+  long pushed_out() const { return pushed_out_; }
+
+  /// Takes the particles near the lining until the next sort.
+  /// @throws OutOfReach if the lining has left the grid
+  void follow_sort(const Ground& ground);
+
+  /// Contact of the grid's motion after the grid update, and the beam's step.
+  /// @param kick  time that forces act for, s
+  /// @param dt    time that places move for, s
+  LiningWork meet(Ground& ground, double kick, double dt);
+
+  /// Contact of the remapped velocities.
+  /// @returns power of nodal forces on what it has taken off these velocities, W/m
+  double meet_remapped(Ground& ground) const;
+
+  /// Moves the beam, and brings back to its surface particles that lie in it by more than half of their half
+  /// side.
+  /// @returns the longest way back of a particle, m
+  double move(Ground& ground, double dt);
+
+  /// Finds the segments of the gravity stage, in which nothing moves.
+  void begin_rest(const Ground& ground) { find_segments(ground); }
+  /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m. The beam is strained in place.
+  /// @param bonded    soil and lining stick together, whatever that takes
+  /// @param left_out  nodes that do not count, one entry a node
+  /// @returns sum of squares of the unbalanced forces of the nodes that it touches and of its own, (N/m)^2
+  double relax(Ground& ground, double keep, double gain, double dt, bool bonded,
+               std::span<const unsigned char> left_out);
+  void end_rest();
+
+  /// What a checkpoint keeps, and back.
+  std::vector<double> state() const;
+  /// @throws std::runtime_error for the state of another lining
+  void set_state(std::span<const double> state);
+
+private:
+  void find_segments(const Ground& ground);
+  void take_soils(const Ground& ground);
+  std::vector<double> weights(const Ground& ground) const;
+
+  Lining lining_;
+  Beam beam_;
+  LiningSurface carried_;
+  BodySurface surface_;
+  std::vector<NearParticle> near_;
+  LiningContact contact_;
+  std::vector<SegmentRows> rows_; ///< of the last step
+  long pushed_out_ = 0;
+};
+
+} // namespace tremolo::mpm_domain
