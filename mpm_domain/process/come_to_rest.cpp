@@ -27,8 +27,7 @@ std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t
     names += fmt::format("{}'{}'", names.empty() ? "" : ", ", domain.contact.bodies()[b].name());
   if (bodies.empty())
     return "soil and friction cannot hold the linings under gravity: they stick to the soil until the "
-           "shaking "
-           "starts, and slide from then on; more friction would hold them";
+           "shaking starts, and slide from then on; more friction would hold them";
   const bool one = bodies.size() == 1;
   return fmt::format(
       "soil and friction cannot hold {} {} under gravity: {} in place until the shaking starts, "
