@@ -15,6 +15,7 @@ namespace {
 void find_velocities(Ground& ground, Step& step) {
   if (step.starts())
     step.energy.kinetic_start = 0.0;
+  step.kinetic_off_grid = 0.0; // bodies and linings add theirs, in dry and in wet ground
   for (int clock = step.ticks.first_due(); clock < step.ticks.clocks(); ++clock)
     step.bookings.add(grid_velocities(ground, step.nodes.of(clock)),
                       [&gained = step.gained(), &last = step.kinetic[static_cast<std::size_t>(clock)]](
@@ -22,7 +23,6 @@ void find_velocities(Ground& ground, Step& step) {
 }
 
 void update_nodes(Ground& ground, Step& step) {
-  step.kinetic_off_grid = 0.0; // contact adds what there is
   for (int clock = step.ticks.first_due(); clock < step.ticks.clocks(); ++clock) {
     const auto of_clock = static_cast<std::size_t>(clock);
     step.kicks[of_clock] = step.ticks.kick_of(clock);
