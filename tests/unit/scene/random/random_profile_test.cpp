@@ -30,16 +30,16 @@ std::string ground(std::string_view random = random_c) {
   return plus(join({one_layer, random}));
 }
 
-const materials::Elasticity& elastic(const Soil& soil) {
+materials::Elasticity elastic(const Soil& soil) {
   return materials::elasticity(soil.law);
 }
 
 TEST(RandomProfile, SpeedVariesAndDensityAndPoissonsRatioStay) {
   const Case scene = parse_case(ground());
-  const materials::Elasticity& median = elastic(parse_case(plus(one_layer)).soils.front());
+  const materials::Elasticity median = elastic(parse_case(plus(one_layer)).soils.front());
   ASSERT_EQ(4U, scene.soils.size());
   for (std::size_t i = 0; i < scene.soils.size(); ++i) {
-    const materials::Elasticity& varied = elastic(scene.soils[i]);
+    const materials::Elasticity varied = elastic(scene.soils[i]);
     const double factor = scene.random_profile->layers[i].factor;
     EXPECT_NE(1.0, factor);
     EXPECT_NEAR(factor, varied.s_wave_speed() / median.s_wave_speed(), 1e-12);
