@@ -341,21 +341,9 @@ double Contact::move(Ground& ground, double dt) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!elastic_[b])
       bodies_[b].move(dt);
-    const mesh::Rectangle box = surface(b).bounds();
-    for (const NearParticle& near : nodes_[b].near()) {
-      Particles& p = ground.sets[near.set];
-      const std::size_t k = near.index;
-      if (p.x[k] < box.x_min || p.x[k] > box.x_max || p.y[k] < box.y_min || p.y[k] > box.y_max)
-        continue;
-      const BodySurface::Nearest nearest = surface(b).nearest({p.x[k], p.y[k]});
-      const double out = -nearest.distance - 0.5 * p.half_size;
-      if (out <= 0.0)
-        continue;
-      p.x[k] += out * nearest.normal.x;
-      p.y[k] += out * nearest.normal.y;
-      farthest = std::max(farthest, out);
-      ++pushed_out_;
-    }
+    const PushedOut pushed = push_out(ground, surface(b), nodes_[b].near());
+    farthest = std::max(farthest, pushed.farthest);
+    pushed_out_ += pushed.count;
   }
   return farthest;
 }

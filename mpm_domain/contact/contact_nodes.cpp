@@ -55,6 +55,25 @@ std::vector<NearParticle> particles_near(const Ground& ground, mesh::Rectangle b
   return near;
 }
 
+PushedOut push_out(Ground& ground, const BodySurface& surface, std::span<const NearParticle> near) {
+  const mesh::Rectangle box = surface.bounds();
+  PushedOut pushed;
+  for (const auto& [set, k] : near) {
+    Particles& p = ground.sets[set];
+    if (p.x[k] < box.x_min || p.x[k] > box.x_max || p.y[k] < box.y_min || p.y[k] > box.y_max)
+      continue;
+    const BodySurface::Nearest nearest = surface.nearest({p.x[k], p.y[k]});
+    const double out = -nearest.distance - 0.5 * p.half_size;
+    if (out <= 0.0)
+      continue;
+    p.x[k] += out * nearest.normal.x;
+    p.y[k] += out * nearest.normal.y;
+    pushed.farthest = std::max(pushed.farthest, out);
+    ++pushed.count;
+  }
+  return pushed;
+}
+
 void ContactNodes::follow_sort(const Ground& ground, const BodySurface& surface, double margin) {
   near_ = particles_near(ground, surface.bounds(), margin);
 }

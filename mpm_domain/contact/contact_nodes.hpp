@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,15 @@ struct NearParticle {
 
 /// The particles of the soil in a box with a margin (m) around it.
 std::vector<NearParticle> particles_near(const Ground& ground, mesh::Rectangle box, double margin);
+
+/// Particles that were brought back out of a body.
+struct PushedOut {
+  double farthest = 0.0; ///< the longest way back of one of them, m
+  long count = 0;
+};
+
+/// Brings particles that lie in a body by more than half of their half side back to its surface.
+PushedOut push_out(Ground& ground, const BodySurface& surface, std::span<const NearParticle> near);
 
 /// The particles that may come to touch a body, and what of it is found anew in every step.
 class ContactNodes {

@@ -139,24 +139,9 @@ double LiningBody::meet_remapped(Ground& ground) const {
 double LiningBody::move(Ground& ground, double dt) {
   beam_.move(dt);
   surface_.place(carried_.corners(beam_));
-  const mesh::Rectangle box = surface_.bounds();
-  double farthest = 0.0;
-  for (const NearParticle& near : near_) {
-    Particles& p = ground.sets[near.set];
-    const std::size_t k = near.index;
-    if (p.x[k] < box.x_min || p.x[k] > box.x_max || p.y[k] < box.y_min || p.y[k] > box.y_max ||
-        !surface_.contains({p.x[k], p.y[k]}))
-      continue;
-    const BodySurface::Nearest nearest = surface_.nearest({p.x[k], p.y[k]});
-    const double out = -nearest.distance - 0.5 * p.half_size;
-    if (out <= 0.0)
-      continue;
-    p.x[k] += out * nearest.normal.x;
-    p.y[k] += out * nearest.normal.y;
-    farthest = std::max(farthest, out);
-    ++pushed_out_;
-  }
-  return farthest;
+  const PushedOut pushed = push_out(ground, surface_, near_);
+  pushed_out_ += pushed.count;
+  return pushed.farthest;
 }
 
 double LiningBody::relax(Ground& ground, double keep, double gain, double dt, bool bonded,
