@@ -131,20 +131,15 @@ bool report(const scene::CaseErrors& errors, const std::vector<scene::Axis>& axe
   return all;
 }
 
-/// When the incident wave is over: at the end of the run, which site responses have after it.
-double end_of(const wavefield::Signal& signal, const scene::Case& scene, bool site_response) {
-  return site_response ? signal.end : std::min(signal.end, scene.end());
-}
-
-/// Measures of the incident wave from its start to the end of the run.
-std::optional<motion::Measures> incident_measures(const scene::Case& scene, bool site_response) {
+/// Measures of the incident wave from its start to the end (s) of the run, or its own.
+std::optional<motion::Measures> incident_measures(const scene::Case& scene, double end) {
   try {
     const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, scene.boundary.left));
     const wavefield::Signal signal = wavefield::incident_signal(scene, ground);
     constexpr double samples_per_period = 8.0; // so that peaks lie on samples
     const double dt = 1.0 / (samples_per_period * signal.highest_frequency);
     const auto count =
-        static_cast<std::size_t>(std::ceil((end_of(signal, scene, site_response) - signal.begin) / dt)) + 1;
+        static_cast<std::size_t>(std::ceil((std::min(signal.end, end) - signal.begin) / dt)) + 1;
     std::vector<double> velocity(count);
     for (std::size_t i = 0; i < count; ++i)
       if (const double time = signal.begin + static_cast<double>(i) * dt; time <= signal.end)
@@ -170,18 +165,19 @@ SweepRun run_of(const scene::Case& scene, const Combination& values) {
           .recording_text = scene::with_value(scene.text, "record.exchange", "true"),
           .inputs = inputs_of(scene),
           .free_fields = coupler::free_field_identity(scene),
-          .motion = incident_measures(scene, false)};
+          .motion = incident_measures(scene, scene.end())};
 }
 
 /// The first line of its case keeps apart the runs that differ in their model alone.
-SweepRun site_response_of(const scene::Case& scene, const Combination& values, scene::SourceModel model) {
+SweepRun site_response_of(const scene::Case& scene, const Combination& values, scene::SourceModel model,
+                          const std::optional<motion::Measures>& motion) {
   return {.values = values,
           .model = model,
           .text = fmt::format("# For `tremolo column --model {}`.\n{}", scene::name(model), scene.text),
           .recording_text = {},
           .inputs = inputs_of(scene),
           .free_fields = {},
-          .motion = incident_measures(scene, true)};
+          .motion = motion};
 }
 
 /// The runs of a combination: one, or one a model.
@@ -190,9 +186,12 @@ std::vector<SweepRun> runs_of(const scene::Study& study, const std::string& text
   if (study.models.empty())
     return {run_of(scene::parse(text, given.file, given.directory), values)};
   std::vector<SweepRun> runs;
-  for (const scene::SourceModel model : study.models)
-    runs.push_back(
-        site_response_of(scene::parse_free_field(text, given.file, given.directory, model), values, model));
+  for (const scene::SourceModel model : study.models) {
+    const auto scene = scene::parse_free_field(text, given.file, given.directory, model);
+    // A site response goes on until the wave is over; its motion is that of all models.
+    const auto motion = runs.empty() ? incident_measures(scene, HUGE_VAL) : runs.front().motion;
+    runs.push_back(site_response_of(scene, values, model, motion));
+  }
   return runs;
 }
 
