@@ -38,10 +38,9 @@ std::string read_name(const TableReader& table, const std::string& kind, std::ve
 void read_drainage(StaticStage& stage, const TableReader& table, const std::string& kind,
                    Findings& findings) {
   stage.undrained = table.choice<StageDrainage>("drainage") == StageDrainage::undrained;
-  for (const auto& [soil, word] : table.words_by_name("drainage")) {
+  for (const auto& [soil, word] : table.words_by_name("drainage"))
     stage.drainage.emplace(soil, *value_named<StageDrainage>(word));
-    stage.undrained = stage.undrained || !stage.undrained_soils().empty();
-  }
+  stage.undrained = stage.undrained || !stage.undrained_soils().empty();
   if (kind == "water" && !stage.drainage.empty())
     findings.add(
         table.path("drainage"),

@@ -60,7 +60,7 @@ materials::Elasticity read_elasticity(const TableReader& table, Findings& findin
     findings.add(table.path("vp"), "missing 'vp' or 'poisson': 'vs' needs one of them");
     return {};
   }
-  if (vs || vp)
+  if (vp)
     return complete(table, findings, "vs", "vp") ? of_wave_speeds(table, findings, density)
                                                  : materials::Elasticity{};
   return complete(table, findings, "young", "poisson")

@@ -16,7 +16,7 @@ namespace {
 /// More would be thinner than any measurement resolves.
 constexpr double most_random_layers = 500.0;
 
-/// What is given, and the rest of the class.
+/// Takes the parameters that are given, and the others from the class of the site.
 ToroModel read_toro_model(TableReader& table, Findings& findings) {
   const bool has_class = table.given("site_class");
   ToroModel model = has_class ? toro_model(table.choice<ToroClass>("site_class")) : ToroModel{};
