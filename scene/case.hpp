@@ -276,7 +276,7 @@ struct StaticStage {
   std::map<std::string, StageDrainage> drainage;
   std::string path; ///< of its table in messages, "stage[1]"
 
-  /// Those that are, where it is said soil by soil.
+  /// The soils that are undrained, where the stage says it soil by soil.
   std::vector<std::string> undrained_soils() const;
 };
 
@@ -477,7 +477,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
 /// @throws CaseErrors with every error of these tables
 Case load_free_field(const std::filesystem::path& file, SourceModel model);
 
-/// The same from text, as parse().
+/// Reads the same tables from a text, as parse() does a whole case.
 Case parse_free_field(std::string_view text, const std::filesystem::path& file,
                       const std::filesystem::path& directory, SourceModel model);
 

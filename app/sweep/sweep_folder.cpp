@@ -66,7 +66,7 @@ Json measures(const std::optional<motion::Measures>& of) {
           {"mean_period", of->mean_period}};
 }
 
-/// Those of the study, and the models of site responses.
+/// The axes of the study, and as the last one the models of its site responses.
 Json axes_json(const scene::Study& study, const std::vector<scene::Axis>& axes) {
   Json all = Json::array();
   for (const scene::Axis& axis : axes)

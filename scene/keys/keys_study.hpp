@@ -6,7 +6,7 @@ namespace tremolo::scene {
 
 /// The keys of a range among the axes of a study, `{ low = ..., high = ..., scale = ... }`.
 const Table& range_keys();
-/// Those of a count, `{ count = ... }`.
+/// The keys of a count among the axes of a study, `{ count = ... }`.
 const Table& count_keys();
 
 } // namespace tremolo::scene

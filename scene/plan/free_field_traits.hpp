@@ -99,7 +99,7 @@ inline SourceModel computed_model(std::string_view word) {
   return *std::ranges::find(models, word, [](SourceModel model) { return name(model); });
 }
 
-/// Those that --models names.
+/// The models that --models names, in its order.
 /// @param words  of names_of_computed_models()
 /// @throws std::runtime_error where one is named twice
 inline std::vector<SourceModel> computed_models(const std::vector<std::string>& words) {

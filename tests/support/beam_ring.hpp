@@ -22,7 +22,7 @@ inline constexpr double ring_thickness = 0.3;
 inline constexpr mpm_domain::BeamSection ring_section =
     mpm_domain::plate_section(ring_thickness, 30e9, 0.2, 2500.0);
 
-/// The same section without shear and rotary mass, as in Euler's and Bernoulli's theory.
+/// The section without shear and rotary mass, as Euler and Bernoulli have it.
 inline mpm_domain::BeamSection euler_bernoulli(mpm_domain::BeamSection section) {
   section.shear = std::numeric_limits<double>::infinity();
   section.rotary *= 1e-6; // none at all would leave a hinge without inertia
@@ -95,7 +95,7 @@ inline std::array<double, 3> momenta(const mpm_domain::Beam& beam) {
     sums[1] += p.y;
     sums[2] += mpm_domain::cross(beam.place(k), p);
   }
-  // What is neither x nor y is a turn; a hinge has two.
+  // All other degrees of freedom are rotations, of which a hinge has two.
   std::vector<bool> is_turn(beam.places().size(), true);
   for (std::size_t k = 0; k < beam.node_count(); ++k)
     is_turn[beam.first_dof(k)] = is_turn[beam.first_dof(k) + 1] = false;

@@ -58,7 +58,7 @@ std::array<std::array<double, 3>, 3> stiffness_of(const BeamElement& element, co
 /// D e.
 ElementForce force_of(const BeamElement& element, const BeamSection& section, const ElementStrain& strain);
 
-/// Those of (N, M_a, M_b): Q = -(M_a + M_b)/l, M = (M_b - M_a)/2.
+/// The section forces at the middle of an element under (N, M_a, M_b): Q = -(M_a + M_b)/l, M = (M_b - M_a)/2.
 SectionForces in_the_middle(const ElementForce& force, double length);
 
 } // namespace tremolo::mpm_domain

@@ -37,7 +37,7 @@ def _strain(run):
 
 
 class Response(NamedTuple):
-    """Of one site response what curves are made of: its tables by name, and the names of its own acceleration and strain."""
+    """The tables of a site response that curves are made of, and the names of the acceleration and strain of its wave."""
 
     spectra: dict
     transfer: dict
@@ -54,7 +54,7 @@ class Response(NamedTuple):
             return cls(model.spectra, model.transfer, model.profile, run.table("layers"), "ax" if strain == "gxy" else "ay", strain)
 
     def depth(self):
-        """Of the levels of the profile, m, from the base up."""
+        """The depth of each level of the profile, m, from the base up."""
         return self.profile["y"].max() - self.profile["y"]
 
 

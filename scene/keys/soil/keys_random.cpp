@@ -7,7 +7,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Of Toro's model, which a class has all of.
+/// A parameter of Toro's model; a class of sites has all of them.
 Key parameter(std::string_view name, std::string_view unit, std::string_view meaning, Range range) {
   return {.name = name,
           .unit = unit,

@@ -24,7 +24,7 @@ struct Problem {
     return solve_segments({answer.data(), static_cast<std::size_t>(answer.size())},
                           {closing.data(), static_cast<std::size_t>(closing.size())}, segments, bonded);
   }
-  /// What is left of the closing speeds.
+  /// The speeds at which both still close under these impulses.
   Eigen::VectorXd left() const {
     Eigen::VectorXd impulses(closing.size());
     for (std::size_t s = 0; s < segments.size(); ++s) {

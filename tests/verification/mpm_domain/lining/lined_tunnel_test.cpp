@@ -94,7 +94,8 @@ TEST(LinedTunnel, MayBeACulvertWithHinges) {
   const double middle = 0.5 * (moment(19) + moment(20));
   EXPECT_LT(middle, 0.0);
   const auto slope = [&](std::size_t e) { return 0.5 * beam.elements()[e].length * beam.forces(e).shear; };
-  // What is left there comes from the soil, which also presses on the corners beyond the axes of the walls.
+  // The moment that remains comes from the soil, which also presses on the corners beyond the axes of the
+  // walls.
   EXPECT_NEAR(moment(16) + slope(16), 0.0, 0.06 * std::abs(middle));
   EXPECT_NEAR(moment(23) - slope(23), 0.0, 0.06 * std::abs(middle));
   for (std::size_t k = 0; k < 4; ++k)
