@@ -5,6 +5,7 @@
 #include "app/run/earlier_results.hpp"
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
+#include "app/run/until_stage.hpp"
 #include "base/printable.hpp"
 #include "scene/case.hpp"
 
@@ -12,6 +13,7 @@
 
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 namespace tremolo::app {
 
@@ -21,6 +23,7 @@ namespace {
 
 struct ResumeArguments {
   fs::path folder;
+  std::string until;
   LocalOptions local;
 };
 
@@ -44,6 +47,7 @@ void resume(const ResumeArguments& arguments) {
   const std::string mode(coupler::name(set->run.mode)); // the command line may have chosen it
   check_ranks(scene, arguments.local.ranks, arguments.local.local);
   coupler::require_same_run(*set, identity_of(scene, mode));
+  check_until(scene, arguments.until, *set);
   fmt::print("going on from step {}, {:.6g} s\n", set->step, set->time);
   const auto summaries = run_case(scene, {.folder = folder,
                                           .mode = mode,
@@ -52,6 +56,7 @@ void resume(const ResumeArguments& arguments) {
                                           .keys = arguments.local.keys,
                                           .local = arguments.local.local,
                                           .ranks = arguments.local.ranks,
+                                          .until = arguments.until,
                                           .resume = set});
   fmt::print("{}results: {}\n", summary_text(summaries), (folder / "run.h5").string());
 }
@@ -64,6 +69,7 @@ void add_resume(Command& app) {
                 "bits as those of an unbroken run");
   const auto arguments = std::make_shared<ResumeArguments>();
   command->add_option("RUN", arguments->folder, "Folder of the run")->required()->existing_folder();
+  add_until_option(*command, arguments->until);
   add_local_options(*command, arguments->local);
   command->callback([arguments] { resume(*arguments); });
 }

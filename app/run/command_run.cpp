@@ -8,11 +8,10 @@
 #include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
+#include "app/run/until_stage.hpp"
 #include "results/exchange_file.hpp"
 #include "scene/plan/plan.hpp"
-#include "scene/plan/stages/stages.hpp"
 #include "scene/read/override.hpp"
-#include "scene/text/nearest.hpp"
 
 #include <fmt/format.h>
 
@@ -99,24 +98,6 @@ std::map<scene::Side, scene::RecordedSide> replays(const std::vector<std::string
   return sides;
 }
 
-/// Refuses to end after a stage that is not there, or that leaves nothing to go on from.
-void check_until(const scene::Case& scene, const std::string& until) {
-  const auto stages = scene::stages(scene);
-  const auto stage = std::ranges::find(stages, until, &scene::PlannedStage::name);
-  if (stage == stages.end()) {
-    std::vector<std::string_view> names;
-    names.reserve(stages.size());
-    for (const scene::PlannedStage& one : stages)
-      names.push_back(one.name);
-    throw std::invalid_argument(fmt::format("--until {}: the case has no stage of this name, {}", until,
-                                            scene::suggestion(until, names)));
-  }
-  if (scene.checkpoints.keep == 0 && std::next(stage) != stages.end())
-    throw std::invalid_argument(fmt::format("--until {}: the case keeps no checkpoint to go on from: give "
-                                            "[checkpoint] 'keep' at least 1",
-                                            until));
-}
-
 void run(const RunArguments& arguments) {
   const auto given = scene::load(arguments.case_file);
   std::optional<fs::path> record = arguments.motion;
@@ -128,8 +109,7 @@ void run(const RunArguments& arguments) {
                                                    .replays = replays(arguments.replays)});
   // Refused before anything is written or started.
   const auto scene = scene::parse(text, given.file, given.directory);
-  if (!arguments.until.empty())
-    check_until(scene, arguments.until);
+  check_until(scene, arguments.until);
   check_ranks(scene, arguments.local.ranks, arguments.local.local);
   const auto folder = new_folder(arguments);
   fmt::print("  {}{}", motion_levels_text(scene), scene::remarks_text(scene));
@@ -164,8 +144,7 @@ void add_run(Command& app) {
   command->add_option("--replay", arguments->replays,
                       "RUN:left, RUN:right or RUN:base: this side is served from the recorded exchange of an "
                       "earlier run instead of its model; RUN alone: all sides. Several are allowed");
-  command->add_option("--until", arguments->until,
-                      "Stage to end after, by its name; `tremolo resume` goes on from there");
+  add_until_option(*command, arguments->until);
   command->add_flag("--report", arguments->report, "Write report.html beside the results at the end");
   command->callback([arguments] { run(*arguments); });
 }

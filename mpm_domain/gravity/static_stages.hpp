@@ -9,6 +9,7 @@
 // from which a construction goes on. Nothing else outlives a stage, so that a walk which is given this of
 // another one goes on with the same bits. It can therefore be broken off after any stage.
 
+#include "mpm_domain/fields/stages_over.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/relaxation.hpp"
 #include "mpm_domain/state.hpp"
@@ -53,7 +54,7 @@ public:
   /// Saves all that a walk goes on from after this stage (fields/saved_numbers.hpp).
   template <class Writer>
   void save(Writer& to) const {
-    to.write(count_name, std::vector<std::uint64_t>{over_});
+    to.write(stages_over_name, std::vector<std::uint64_t>{over_});
     to.write("static.disturbed", std::vector<double>{disturbed_ ? 1.0 : 0.0});
     std::vector<double> numbers;
     for (const Vector& force : forces_)
@@ -83,16 +84,15 @@ public:
   /// How many stages were over when a checkpoint was made.
   template <class Reader>
   static std::size_t read_count(const Reader& from) {
-    return static_cast<std::size_t>(from.integers(count_name).at(0));
+    return static_cast<std::size_t>(from.integers(stages_over_name).at(0));
   }
   /// Lets a checkpoint of the shaking say that all of them were.
   template <class Writer>
   static void save_count(std::size_t stages, Writer& to) {
-    to.write(count_name, std::vector<std::uint64_t>{stages});
+    to.write(stages_over_name, std::vector<std::uint64_t>{stages});
   }
 
 private:
-  static constexpr const char* count_name = "static.over";
   static constexpr std::size_t numbers_of_way = 3;
 
   void gravity();

@@ -36,8 +36,8 @@ def whole_run(work, *options):
     return work.run("whole", "--threads", 1, *options)
 
 
-def resumed(work, folder):
-    return work.command("resume", folder, "--threads", 1)
+def resumed(work, folder, *options):
+    return work.command("resume", folder, "--threads", 1, *options)
 
 
 def participants(launcher):

@@ -170,6 +170,25 @@ class Construction(unittest.TestCase):
             self.assertLess(settled[1], settled[0] - 1e-5)  # frames show the block where it has gone
             self.assertIn("nothing to go on with", resumed(work, folder).stderr)
 
+    def test_a_run_goes_on_from_stage_to_stage(self):
+        with DugWorkspace(TREMOLO, loads=ON_BLOCK) as work:
+            whole = whole_run(work)
+            folder = work.run("part", "--threads", 1, "--until", "gravity")
+            for count, stage in enumerate(("dig", "build", "machine"), 2):
+                result = resumed(work, folder, "--until", stage)
+                self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+                part = Run(folder / "run.h5")
+                self.assertIn(f"ended after the stage '{stage}'", part.status)
+                self.assertEqual(count, len(stages.frames(part)))
+                if stage == "build":
+                    over = resumed(work, folder, "--until", "dig")
+                    self.assertNotEqual(0, over.returncode)
+                    self.assertIn("--until dig: this stage was over at the checkpoint of step 0, 0 s, from which the run goes on; "
+                                  "still to come: 'machine', 'shaking'", over.stderr)
+            result = resumed(work, folder)
+            self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+            self.assertEqual([], differences(folder, whole))
+
     def test_a_run_that_keeps_no_checkpoint_cannot_end_early(self):
         with with_checkpoints(DugWorkspace(TREMOLO), keep=0) as work:
             result = work.command("run", work.case, "--until", "dig")

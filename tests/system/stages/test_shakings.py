@@ -12,7 +12,7 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests" / "system" / "resume"), str(Path(__file__).parent)]
 
 import numpy as np
-from broken_run import goes_on_with_the_same_bits, whole_run, with_checkpoints
+from broken_run import goes_on_with_the_same_bits, resumed, whole_run, with_checkpoints
 from rest_case import RestWorkspace, replayed, rest
 from tremolo import column
 from tremolo.run import Run
@@ -80,11 +80,19 @@ class Shakings(unittest.TestCase):
             whole = whole_run(work)
             goes_on_with_the_same_bits(self, work, whole)
             out = work.path / "part"
-            ended = work.command("run", work.case, "--out", out, "--threads", 1, "--until", "aftershock")
+            ended = work.command("run", work.case, "--out", out, "--threads", 1, "--until", "rest")
+            for stage, end in ("rest", 2.4), ("aftershock", 2.8):
+                self.assertEqual(0, ended.returncode, ended.stdout + ended.stderr)
+                self.assertIn(f"ended after the stage '{stage}'", Run(out / "run.h5").status)
+                self.assertAlmostEqual(end, Run(out / "run.h5").monitor("surface")["time"][-1], delta=0.06)
+                for other, said in ((stage, "this stage was over at the checkpoint"), ("last rets", "did you mean 'last rest'?")):
+                    refused = resumed(work, out, "--until", other)
+                    self.assertNotEqual(0, refused.returncode)
+                    self.assertIn(f"--until {other}: ", refused.stderr)
+                    self.assertIn(said, refused.stderr)
+                ended = resumed(work, out, *(("--until", "aftershock") if stage == "rest" else ()))
             self.assertEqual(0, ended.returncode, ended.stdout + ended.stderr)
-            self.assertAlmostEqual(2.8, Run(out / "run.h5").monitor("surface")["time"][-1], delta=0.06)
-            went_on = work.command("resume", out, "--threads", 1)
-            self.assertEqual(0, went_on.returncode, went_on.stdout + went_on.stderr)
+            self.assertEqual("complete", Run(out / "run.h5").status)
             for name in ("uy", "pore_pressure_ratio"):
                 self.assertTrue(np.array_equal(Run(whole / "run.h5").monitor("2.5 m")[name], Run(out / "run.h5").monitor("2.5 m")[name]))
 
