@@ -93,7 +93,11 @@ function(tremolo_gtest_program target sources dependencies)
   add_dependencies(test_programs ${target})
   target_link_libraries(${target} PRIVATE tremolo_light_options ${dependencies} tremolo_test_paths GTest::gmock
                                           GTest::gtest_main)
-  target_precompile_headers(${target} REUSE_FROM tremolo_test_headers)
+  set(headers tremolo_test_headers)
+  if(tremolo::mpm_domain IN_LIST dependencies)
+    set(headers tremolo_domain_test_headers)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${headers})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
 endfunction()
 

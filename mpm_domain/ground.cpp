@@ -212,6 +212,9 @@ const Spec& checked(const Spec& spec) {
     refuse_unless(soil.damping_time >= 0.0 && std::isfinite(soil.damping_time),
                   fmt::format("the damping time of soil '{}' (s)", soil.name), soil.damping_time,
                   "finite, >= 0");
+    refuse_unless(soil.mass_damping >= 0.0 && std::isfinite(soil.mass_damping),
+                  fmt::format("the damping of soil '{}' in proportion to mass (1/s)", soil.name),
+                  soil.mass_damping, "finite, >= 0");
     if (spec.water && soil.pores)
       materials::validate(*soil.pores);
   }

@@ -22,7 +22,7 @@ inline constexpr std::size_t recorded_values = 10;
 
 /// One field of a recording, without its motion.
 struct RecordedField {
-  std::string name;           ///< "total" or "incident"
+  std::string name;           ///< "total" or "incident"; of a plane wave that adds to it "total+vertical"
   std::vector<double> levels; ///< m, ascending; an interface stands twice, from below and from above
   double x_reference = 0.0;   ///< x of the line, m
   double slowness_x = 0.0;    ///< at another x the motion is later by slowness_x (x - x_reference), s/m

@@ -1,13 +1,26 @@
 #include "scene/case.hpp"
 
+#include <algorithm>
+
 namespace tremolo::scene {
 
-std::vector<GivenRecord> MotionInput::records() const {
-  std::vector<GivenRecord> records;
-  for (const ShakingMotion& shaking : shakings)
-    if (const auto* file = std::get_if<MotionFile>(&shaking.source))
-      records.push_back({file, shaking.path});
-  return records;
+std::vector<const MotionInput*> Case::plane_waves() const {
+  if (vertical)
+    return {&motion, &*vertical};
+  return {&motion};
+}
+
+bool Case::is_oblique() const {
+  return std::ranges::any_of(plane_waves(), [](const MotionInput* wave) { return wave->angle_deg != 0.0; });
+}
+
+std::vector<GivenRecord> Case::records() const {
+  std::vector<GivenRecord> given;
+  for (const MotionInput* wave : plane_waves())
+    for (const ShakingMotion& shaking : wave->shakings)
+      if (const auto* record = std::get_if<MotionFile>(&shaking.source))
+        given.push_back({record, shaking.path});
+  return given;
 }
 
 std::vector<std::string> StaticStage::undrained_soils() const {

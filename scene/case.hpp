@@ -59,17 +59,15 @@ struct GivenRecord {
   std::string path; ///< of its table
 };
 
-/// The incident plane waves, which add up. An incident motion is along the polarisation, SV (cos, -sin) and P
-/// (sin, cos) of the angle, at the reference point; scene::Motion evaluates it.
+/// An incident plane wave. Its incident motion is along the polarisation, SV (cos, -sin) and P (sin, cos) of
+/// the angle, at the reference point; scene::Motion evaluates it.
 struct MotionInput {
   std::vector<ShakingMotion> shakings = {{}}; ///< of each stage in which the ground is shaken; at least one
   motion::MotionKind kind = motion::MotionKind::incident;
   Wave wave = Wave::sv;
   double angle_deg = 0.0; ///< from the vertical, travelling to +x, +y; in [0, 90)
   Point reference;
-
-  /// Those of all shakings; they point into this.
-  std::vector<GivenRecord> records() const;
+  std::string path = "motion"; ///< of its table in messages
 };
 
 /// Modulus reduction and damping against shear strain (engineering, 1).
@@ -418,6 +416,7 @@ struct Case {
   std::string text;                ///< the source
 
   MotionInput motion;
+  std::optional<MotionInput> vertical; ///< the P wave of [motion.vertical], which adds to an SV wave
   double surface_level = 0.0;       ///< y of the free field's surface, m; none above a shaking table
   materials::Elasticity halfspace;  ///< none below a shaking table
   std::optional<GroundWater> water; ///< while the ground is shaken
@@ -452,6 +451,12 @@ struct Case {
   std::vector<ValueInForce> values;
   std::vector<Finding> remarks; ///< warnings, then notes, of the rules that such a case goes by
 
+  /// The incident plane waves, that of [motion] first; they point into this.
+  std::vector<const MotionInput*> plane_waves() const;
+  /// Whether one of them comes up at an angle.
+  bool is_oblique() const;
+  /// The records of all plane waves in all shakings; they point into this.
+  std::vector<GivenRecord> records() const;
   /// The clock of the soil, which is shaken and rests.
   materials::SoilClock clock() const;
   /// The rest with the largest time factor; null without one: sand drains to the end as while it is shaken.

@@ -119,12 +119,16 @@ std::vector<double> pseudo_acceleration(const std::vector<double>& acceleration,
   return values;
 }
 
-results::Table spectra(const std::vector<double>& surface, const std::vector<double>& outcrop, double dt) {
+/// @param vertical  of the surface; empty without [motion.vertical]
+results::Table spectra(const std::vector<double>& surface, const std::vector<double>& vertical,
+                       const std::vector<double>& outcrop, double dt) {
   constexpr double shortest = 0.01; // s
   constexpr double longest = 10.0;  // s
   const auto periods = motion::tabulated_periods(std::max(shortest, 2.0 * dt), longest, 120);
   results::Table table{
       {{"period", "s", periods}, {"surface", "m/s2", pseudo_acceleration(surface, dt, periods)}}};
+  if (!vertical.empty())
+    table.columns.push_back({"surface_vertical", "m/s2", pseudo_acceleration(vertical, dt, periods)});
   if (!outcrop.empty())
     table.columns.push_back({"outcrop", "m/s2", pseudo_acceleration(outcrop, dt, periods)});
   return table;
@@ -203,12 +207,12 @@ results::Table measures_table(const std::vector<std::string>& places,
 std::vector<double> outcrop_acceleration(const scene::Case& scene, const scene::SourceProcess& source,
                                          const wavefield::TimeGrid& times) {
   const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, source));
-  const auto incidence = wavefield::incidence_from_case(scene);
+  const auto incidence = wavefield::incidence_of(scene.motion);
   if (scene.motion.kind == motion::MotionKind::within ||
       wavefield::is_post_critical(ground.half_space, incidence))
     return {};
   const double factor = wavefield::outcrop_factor(ground, incidence.wave, incidence.angle_rad);
-  const auto signal = wavefield::incident_signal(scene, ground);
+  const auto signal = wavefield::incident_signal(scene.motion, ground);
   const auto velocity = [&](double time) {
     return time >= signal.begin && time <= signal.end ? signal.velocity(time) : 0.0;
   };
@@ -229,6 +233,9 @@ ColumnResults column_results(const ColumnGround& ground, const FreeFieldSeries& 
   const auto& [scene, source, x] = ground;
   const Member along = scene.motion.wave == scene::Wave::sv ? &ColumnSample::vx_rate : &ColumnSample::vy_rate;
   const auto surface = column_of(series.at(series.levels.size() - 1), along);
+  const auto vertical = scene.vertical
+                            ? column_of(series.at(series.levels.size() - 1), &ColumnSample::vy_rate)
+                            : std::vector<double>();
   const auto base = column_of(series.at(0), along);
   const auto outcrop = outcrop_acceleration(scene, source, series.times);
   const double dt = series.times.dt;
@@ -247,13 +254,17 @@ ColumnResults column_results(const ColumnGround& ground, const FreeFieldSeries& 
     levels.push_back(series.levels[level]);
     places.push_back(names.back());
     motions.push_back(column_of(series.at(level), along));
+    if (scene.vertical) {
+      places.push_back(names.back() + ", vertical");
+      motions.push_back(column_of(series.at(level), &ColumnSample::vy_rate));
+    }
     found.histories.push_back({"/monitors/" + names.back(), history(ground, series, level)});
     if (wet)
       add_water(scene, source, series, level, found.histories.back().table);
   }
   found.tables = {{"/levels", {{{"name", "1", names}, {"y", "m", levels}}}},
                   {"/profile", profile(scene, source, series)},
-                  {"/spectra", spectra(surface, outcrop, dt)},
+                  {"/spectra", spectra(surface, vertical, outcrop, dt)},
                   {"/transfer", transfer(surface, base, outcrop, dt)},
                   {"/measures", measures_table(places, motions, dt)}};
   std::ranges::move(site_tables(ground, series), std::back_inserter(found.tables));

@@ -58,10 +58,14 @@ ColumnGround ground_of(const Options& options, scene::SourceModel model) {
 }
 
 void print_summary(const ColumnSummary& summary, const Options& options) {
-  fmt::print("{}: model {}, {:.2f} s CPU\n  peak acceleration  surface {:.4g} m/s2, base {:.4g} m/s2\n"
+  fmt::print("{}: model {}, {:.2f} s CPU\n  peak acceleration  surface {:.4g} m/s2, base {:.4g} m/s2{}\n"
              "  largest strain     {:.3g} at {:.4g} m below the surface\n{}",
              options.out, options.model, summary.cpu_seconds, summary.surface_acceleration,
-             summary.base_acceleration, summary.largest_strain, summary.strain_depth, summary.water);
+             summary.base_acceleration,
+             summary.vertical_acceleration
+                 ? fmt::format(", vertical at the surface {:.4g} m/s2", *summary.vertical_acceleration)
+                 : "",
+             summary.largest_strain, summary.strain_depth, summary.water);
   if (!summary.report.empty())
     fmt::print("  {:<18} {}\n", options.model, summary.report);
 }

@@ -49,13 +49,14 @@ void write_rows(TextFile& table, const wavefield::Point& point, const wavefield:
                           h.vx[i], h.vy[i], h.sxx[i], h.syy[i], h.sxy[i]));
 }
 
-void print_wrap_around(const wavefield::LayeredField& field, std::span<const wavefield::Point> points,
+void print_wrap_around(const wavefield::Superposition& field, std::span<const wavefield::Point> points,
                        const wavefield::TimeGrid& times) {
-  const wavefield::WrapAroundError error = field.wrap_around_error(points, times);
-  fmt::print(
-      "window of {:.4g} s; doubled, it changes displacement by {:.1e}, velocity by {:.1e}, stress by {:.1e} "
-      "of their peaks\n",
-      error.window, error.displacement, error.velocity, error.stress);
+  for (const wavefield::LayeredField& wave : field.waves()) {
+    const wavefield::WrapAroundError error = wave.wrap_around_error(points, times);
+    fmt::print("window of {:.4g} s; doubled, it changes displacement by {:.1e}, velocity by {:.1e}, stress by "
+               "{:.1e} of their peaks\n",
+               error.window, error.displacement, error.velocity, error.stress);
+  }
 }
 
 void write_field(const Options& options, const scene::Case& scene) {
@@ -81,7 +82,7 @@ void write_field(const Options& options, const scene::Case& scene) {
 void write_transfer(const Options& options, const scene::Case& scene) {
   const auto frequencies = parse_frequencies(options.frequencies);
   const auto ground = wavefield::ground_from_case(scene, scene.profile);
-  const auto incidence = wavefield::incidence_from_case(scene);
+  const auto incidence = wavefield::incidence_of(scene.motion);
   const auto rows = wavefield::surface_transfer(ground, incidence.wave, incidence.angle_rad, frequencies);
 
   TextFile table(options.out);
@@ -131,8 +132,8 @@ void add_wave(Command& app) {
       ->add_option(
           "--out", options->out,
           "Written: t,x,y,ux,uy,vx,vy,sxx,syy,sxy in SI units, point by point; stresses are the "
-          "dynamic part, tension positive. With --transfer: complex amplitudes, time kernel exp(+i omega t), "
-          "of surface and top of the half-space per unit incident displacement there, and of the surface "
+          "dynamic part, tension positive. With --transfer: complex amplitudes under the wave of [motion], time kernel "
+          "exp(+i omega t), of surface and top of the half-space per unit incident displacement there, and of the surface "
           "over outcrop and within motion (horizontal for SV, vertical for P)")
       ->required();
   auto* transfer =

@@ -56,7 +56,7 @@ DeconvolvedMotion deconvolved(const scene::Case& scene, const scene::SourceProce
     throw std::invalid_argument(fmt::format(
         "{}: to deconvolve needs layers, and this ground is the [halfspace] alone: [[profile]] gives some",
         scene.file.string()));
-  const auto incidence = wavefield::incidence_from_case(scene);
+  const auto incidence = wavefield::incidence_of(scene.motion);
   if (wavefield::is_post_critical(wavefield::ground_from_case(scene, {}).half_space, incidence))
     throw std::invalid_argument(fmt::format("{}: [motion] angle_deg = {}: beyond the critical angle of the "
                                             "half-space outcrop and incident motion "

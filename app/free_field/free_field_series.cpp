@@ -96,7 +96,7 @@ FreeFieldSeries empty_series(std::vector<double> levels, const wavefield::TimeGr
   return series;
 }
 
-void synthesise(const wavefield::LayeredField& field, double x, wavefield::Part part,
+void synthesise(const wavefield::Superposition& field, double x, wavefield::Part part,
                 FreeFieldSeries& series) {
   const auto points = wavefield::points_on_line(x, series.levels);
   const auto histories = field.sample(points, series.times, part);
@@ -107,9 +107,14 @@ void synthesise(const wavefield::LayeredField& field, double x, wavefield::Part 
 
 /// The case whose later motions begin at the soil's own times, for models that simulate no other.
 scene::Case in_time_of_soil(scene::Case scene) {
-  for (scene::ShakingMotion& shaking : scene.motion.shakings)
-    if (shaking.stage > 0)
-      shaking.start = scene.timed[shaking.stage].start;
+  const auto move = [&scene](scene::MotionInput& wave) {
+    for (scene::ShakingMotion& shaking : wave.shakings)
+      if (shaking.stage > 0)
+        shaking.start = scene.timed[shaking.stage].start;
+  };
+  move(scene.motion);
+  if (scene.vertical)
+    move(*scene.vertical);
   return scene;
 }
 
@@ -170,11 +175,10 @@ FreeFieldSeries free_field_series(const scene::Case& given, const scene::SourceP
   return series;
 }
 
-FreeFieldSeries incident_series(const scene::Case& scene, const scene::SourceProcess& source,
-                                std::vector<double> levels, const wavefield::TimeGrid& times, double x_line) {
+FreeFieldSeries plane_wave_series(const wavefield::Superposition& field, std::vector<double> levels,
+                                  const wavefield::TimeGrid& times, double x_line, wavefield::Part part) {
   FreeFieldSeries series = empty_series(std::move(levels), times);
-  synthesise(wavefield::elastic_field(scene, scene::layers(scene, source), source.surface), x_line,
-             wavefield::Part::incident, series);
+  synthesise(field, x_line, part, series);
   return series;
 }
 

@@ -5,6 +5,7 @@
 #include "scene/plan/plan.hpp"
 #include "wavefield/layers/equivalent_linear.hpp"
 #include "wavefield/signal/history.hpp"
+#include "wavefield/superposition.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -47,8 +48,8 @@ FreeFieldSeries free_field_series(const scene::Case& scene, const scene::SourceP
                                   std::vector<double> levels, const wavefield::TimeGrid& times, double x_line,
                                   TimeOf time = TimeOf::simulation);
 
-/// The incident wave alone, at levels of the half-space.
-FreeFieldSeries incident_series(const scene::Case& scene, const scene::SourceProcess& source,
-                                std::vector<double> levels, const wavefield::TimeGrid& times, double x_line);
+/// Plane waves whose field is known, or their incident part alone, at levels of the half-space.
+FreeFieldSeries plane_wave_series(const wavefield::Superposition& field, std::vector<double> levels,
+                                  const wavefield::TimeGrid& times, double x_line, wavefield::Part part);
 
 } // namespace tremolo::app

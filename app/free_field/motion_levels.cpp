@@ -38,9 +38,8 @@ double peak_level(const wavefield::Signal& signal) {
 
 /// Takes the component that the wave moves at vertical incidence.
 double surface_level(const scene::Case& scene, const wavefield::LayeredHalfSpace& ground,
-                     const wavefield::Signal& signal) {
+                     const wavefield::Incidence& incidence, const wavefield::Signal& signal) {
   const auto& side = scene.boundary.left;
-  const wavefield::Incidence incidence = wavefield::incidence_from_case(scene);
   const wavefield::LayeredField field(ground, incidence, side.surface, signal, {.padding = 2.0});
   // The wave comes up, is at the surface, and rings in the layers.
   double travel = std::abs(side.surface - incidence.y_reference) / ground.half_space.vs;
@@ -55,18 +54,16 @@ double surface_level(const scene::Case& scene, const wavefield::LayeredHalfSpace
   return peak(shear ? history.front().vx_rate : history.front().vy_rate);
 }
 
-} // namespace
+std::string text_of_table(const scene::MotionInput& input) {
+  return level_text(peak_level(wavefield::signal_of(scene::motion(input)))) + " of the shaking table\n";
+}
 
-std::string motion_levels_text(const scene::Case& scene) {
-  if (scene.boundary.has_shaking_table()) {
-    const double level = peak_level(wavefield::signal_of(scene::motion(scene.motion)));
-    return fmt::format("motion: peak acceleration {} of the shaking table\n", level_text(level));
-  }
+std::string text_of_wave(const scene::Case& scene, const scene::MotionInput& input) {
   const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, scene.boundary.left));
-  const wavefield::Incidence incidence = wavefield::incidence_from_case(scene);
-  std::string text = "motion: peak acceleration ";
+  const wavefield::Incidence incidence = wavefield::incidence_of(input);
+  std::string text;
   try {
-    const wavefield::Signal signal = wavefield::incident_signal(scene, ground);
+    const wavefield::Signal signal = wavefield::incident_signal(input, ground);
     const double incident = peak_level(signal);
     text += level_text(incident) + " as incident wave";
     if (!wavefield::is_post_critical(ground.half_space, incidence))
@@ -74,12 +71,22 @@ std::string motion_levels_text(const scene::Case& scene) {
                           level_text(incident * std::abs(wavefield::outcrop_factor(ground, incidence.wave,
                                                                                    incidence.angle_rad))));
     return text + fmt::format(", {} at the surface of the elastic free field\n",
-                              level_text(surface_level(scene, ground, signal)));
+                              level_text(surface_level(scene, ground, incidence, signal)));
   } catch (const std::exception& reason) {
-    const bool first = text.ends_with(' ');
-    return text + fmt::format("{}not known{}: {}\n", first ? "" : ", ", first ? "" : " at the surface",
-                              reason.what());
+    return text + fmt::format("{}not known{}: {}\n", text.empty() ? "" : ", ",
+                              text.empty() ? "" : " at the surface", reason.what());
   }
+}
+
+} // namespace
+
+std::string motion_levels_text(const scene::Case& scene) {
+  std::string text;
+  for (const scene::MotionInput* input : scene.plane_waves())
+    text += fmt::format(
+        "{}: peak acceleration {}", input == &scene.motion ? "motion" : "vertical motion",
+        scene.boundary.has_shaking_table() ? text_of_table(*input) : text_of_wave(scene, *input));
+  return text;
 }
 
 } // namespace tremolo::app

@@ -96,6 +96,10 @@ void write_free_field(const results::FreeFieldRecording& recording, std::size_t 
   table.close();
   fmt::print("{}: field '{}', {} levels x {} times, on the line x = {} m, slowness {} s/m\n", options.out,
              field.name, field.levels.size(), field.step_count, field.x_reference, field.slowness_x);
+  for (const results::RecordedField& other : recording.fields())
+    if (other.name.starts_with(field.name + "+"))
+      fmt::print("note: '{}' is the field of another wave, which adds to this one; --field {} exports it\n",
+                 other.name, other.name);
 }
 
 void write_domain(const results::ExchangeReader& exchange, const Options& options) {
@@ -160,8 +164,11 @@ void add_export(Command& app) {
           "Written: time,y,vx,vy,sxx,syy,sxy, tension positive; of the domain time,x,y,vx,vy and, in mode "
           "lockstep, tx,ty")
       ->required();
-  command->add_option("--field", options->field, "total or incident (default: the one that the side takes)")
-      ->one_of({"total", "incident"});
+  command
+      ->add_option("--field", options->field,
+                   "total or incident (default: the one that the side takes), with +vertical that of the P wave "
+                   "beside it")
+      ->one_of({"total", "incident", "total+vertical", "incident+vertical"});
   command->callback([options] { run(*options); });
 }
 

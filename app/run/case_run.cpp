@@ -224,7 +224,7 @@ coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<s
   const auto add = [&](const fs::path& file) {
     identity.inputs["CRC-32 of " + fs::absolute(file).string()] = coupler::text_crc(read_text_file(file));
   };
-  for (const auto& [record, path] : scene.motion.records())
+  for (const auto& [record, path] : scene.records())
     add(record->path);
   for (const auto& source : scene::plan(scene).sources)
     if (source.field.model == scene::SourceModel::recording)

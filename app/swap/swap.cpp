@@ -156,7 +156,7 @@ bool is_linear(const scene::Case& scene, const std::vector<scene::Layer>& layers
 std::optional<SideFields> exact_fields(const scene::Case& scene) {
   const auto& [sides, left, right, base] = scene.boundary;
   if (!is_linear(scene, scene::layers(scene, left)) || !is_linear(scene, scene::layers(scene, right)) ||
-      (scene.damping.model == scene::DampingModel::rayleigh && scene.motion.angle_deg != 0.0))
+      (scene.damping.model == scene::DampingModel::rayleigh && scene.is_oblique()))
     return std::nullopt;
   return side_fields(scene, scene::SourceModel::wave, "exact free field");
 }

@@ -135,7 +135,7 @@ bool report(const scene::CaseErrors& errors, const std::vector<scene::Axis>& axe
 std::optional<motion::Measures> incident_measures(const scene::Case& scene, double end) {
   try {
     const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, scene.boundary.left));
-    const wavefield::Signal signal = wavefield::incident_signal(scene, ground);
+    const wavefield::Signal signal = wavefield::incident_signal(scene.motion, ground);
     constexpr double samples_per_period = 8.0; // so that peaks lie on samples
     const double dt = 1.0 / (samples_per_period * signal.highest_frequency);
     const auto count =

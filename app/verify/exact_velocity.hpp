@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wavefield/layers/layered_field.hpp"
+#include "wavefield/superposition.hpp"
 
 #include <span>
 #include <vector>
@@ -13,7 +13,7 @@ inline constexpr double samples_per_period = 32.0;
 /// The exact particle velocity at any point of a box and any time of a run, cheaply.
 ///
 /// At each of the given levels the history v(t) at x_min is computed once; elsewhere on the level it is
-/// v(t - p (x - x_min)), p the horizontal slowness, and between its samples the cubic Hermite interpolant of
+/// v(t - p (x - x_min)), p the horizontal slowness of each plane wave, and between its samples the cubic Hermite interpolant of
 /// values and rates, which errs by (omega dt)^4 / 384: with 32 samples per period of the highest frequency,
 /// 5e-8 at a third of it, where motions end in practice.
 class ExactVelocity {
@@ -31,7 +31,7 @@ public:
 
   /// @param highest_frequency  of the signal, Hz
   /// @throws std::invalid_argument for a level above the surface
-  ExactVelocity(const wavefield::LayeredField& field, std::span<const double> levels, const Range& range,
+  ExactVelocity(const wavefield::Superposition& field, std::span<const double> levels, const Range& range,
                 double highest_frequency);
 
   /// At y = levels[level]. Times outside the range are taken at its ends.
@@ -41,11 +41,19 @@ private:
   struct Sample {
     double vx, vy, ax, ay;
   };
+  /// A plane wave on the line x_min.
+  struct Wave {
+    double slowness = 0.0; ///< s/m
+    wavefield::TimeGrid grid;
+    std::vector<Sample> samples; ///< [level * grid.count + step]
 
-  wavefield::TimeGrid grid_;
+    Wave(const wavefield::LayeredField& field, std::span<const double> levels, const Range& range,
+         double highest_frequency);
+    Value at(std::size_t level, double distance, double t) const;
+  };
+
   double x_min_ = 0.0;
-  double slowness_ = 0.0;
-  std::vector<Sample> samples_; ///< [level * grid.count + step]
+  std::vector<Wave> waves_;
 };
 
 } // namespace tremolo::app

@@ -182,14 +182,14 @@ std::vector<double> velocities(const results::RunReader& run, std::size_t frame,
 }
 
 ParticleAgreement compare_particles(const results::RunReader& run, const scene::Case& scene,
-                                    const wavefield::LayeredField& field) {
+                                    const wavefield::Superposition& field) {
   const scene::Box& box = scene.mesh.box;
   const double width = 0.25 * std::min(box.width(), scene.surface_level - box.y_min);
   const Particles particles = place_particles(run, scene, width);
   const std::vector<double>& times = run.frame_times();
   const scene::Motion motion = scene::motion(scene.motion);
   const ExactVelocity exact(field, particles.levels, {box.x_min, box.x_max, times.front(), times.back()},
-                            motion.highest_frequency());
+                            scene::highest_frequency(scene));
 
   std::vector<double> error2(particles.all.size());
   const auto sums = compare(run, particles, exact, Lags{}, &error2);

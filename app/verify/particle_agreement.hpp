@@ -12,7 +12,7 @@
 
 #include "results/run_file.hpp"
 #include "scene/case.hpp"
-#include "wavefield/layers/layered_field.hpp"
+#include "wavefield/superposition.hpp"
 
 #include <cstddef>
 #include <string>
@@ -47,6 +47,6 @@ std::vector<double> velocities(const results::RunReader& run, std::size_t frame,
 /// Compares all frames of a run with the exact field.
 /// @throws std::runtime_error where the run lacks what is needed, or the exact field is at rest throughout
 ParticleAgreement compare_particles(const results::RunReader& run, const scene::Case& scene,
-                                    const wavefield::LayeredField& field);
+                                    const wavefield::Superposition& field);
 
 } // namespace tremolo::app

@@ -99,10 +99,10 @@ std::vector<PointHistory> particle_histories(const results::RunReader& run, cons
   return points;
 }
 
-void add_exact(PointHistory& point, const scene::Case& scene, const wavefield::LayeredField& field) {
+void add_exact(PointHistory& point, const scene::Case& scene, const wavefield::Superposition& field) {
   const std::array<double, 1> level{point.y};
   const ExactVelocity exact(field, level, {point.x, point.x, point.time.front(), point.time.back()},
-                            scene::motion(scene.motion).highest_frequency());
+                            scene::highest_frequency(scene));
   for (const double t : point.time) {
     const ExactVelocity::Value e = exact.at(0, point.x, t);
     point.exact_vx.push_back(e.vx);

@@ -36,10 +36,6 @@ auto guarded(Row row, const Read& read) {
   }
 }
 
-const FieldDescription& field_of(const SourceDescription& source, const ExchangedFace& face) {
-  return *std::ranges::find(source.fields, face.field, &FieldDescription::name);
-}
-
 } // namespace
 
 Report::Report() {
@@ -124,7 +120,7 @@ void Session::check_fields(const json& said) {
   for (const auto& face : demand_.faces)
     asked.insert(face.field);
   for (const auto& wanted : asked)
-    if (std::ranges::find(source_.fields, wanted, &FieldDescription::name) == source_.fields.end())
+    if (std::ranges::none_of(source_.fields, [&](const auto& field) { return adds_to(field, wanted); }))
       throw Objection{fields, fmt::format("the case asks for '{}', served are: {}", wanted, names)};
   report_.pass(fields, names);
   for (const auto& field : source_.fields)
@@ -134,7 +130,9 @@ void Session::check_fields(const json& said) {
 void Session::check_points() {
   guarded(points, [&] {
     for (const auto& face : demand_.faces)
-      map_face(field_of(source_, face), face.position);
+      for (const auto& field : source_.fields)
+        if (adds_to(field, face.field))
+          map_face(field, face.position);
   });
   std::string ranges;
   for (const auto& field : source_.fields)

@@ -18,17 +18,29 @@ struct FieldUse {
   double largest_delay = -std::numeric_limits<double>::infinity();
 };
 
-FieldUse find_field(const std::vector<SourceDescription>& sources, const ExchangedFace& face) {
+/// The fields whose sum a face takes.
+std::vector<FieldUse> find_fields(const std::vector<SourceDescription>& sources, const ExchangedFace& face) {
   std::string served;
+  std::vector<FieldUse> found;
   for (const auto& source : sources)
     for (std::uint32_t i = 0; i < source.fields.size(); ++i) {
-      if (source.name == face.source && source.fields[i].name == face.field)
-        return {.address = {source.number, i}, .source = &source, .field = &source.fields[i]};
+      if (source.name == face.source && adds_to(source.fields[i], face.field))
+        found.push_back({.address = {source.number, i}, .source = &source, .field = &source.fields[i]});
       served += fmt::format("{}{}/{}", served.empty() ? "" : ", ", source.name, source.fields[i].name);
     }
+  if (!found.empty())
+    return found;
   throw std::invalid_argument(
       fmt::format("a face at x = {}, y = {} m takes field '{}' of source '{}', served are: {}",
                   face.position.x, face.position.y, face.field, face.source, served));
+}
+
+void add(eq6::FreeField& sum, const eq6::FreeField& other) {
+  sum.velocity.x += other.velocity.x;
+  sum.velocity.y += other.velocity.y;
+  sum.stress.xx += other.stress.xx;
+  sum.stress.yy += other.stress.yy;
+  sum.stress.xy += other.stress.xy;
 }
 
 void check_time(const FieldUse& use, double start_time, double end_time) {
@@ -49,21 +61,23 @@ FaceExchange::FaceExchange(const std::vector<SourceDescription>& sources, std::v
     : faces_(std::move(faces)) {
   std::vector<FieldUse> uses;
   readers_.reserve(faces_.size());
-  for (const auto& face : faces_) {
-    const FieldUse found = find_field(sources, face);
-    auto use =
-        std::find_if(uses.begin(), uses.end(), [&](const auto& u) { return u.address == found.address; });
-    if (use == uses.end())
-      use = uses.insert(uses.end(), found);
-    try {
-      add_reader(static_cast<std::size_t>(use - uses.begin()), map_face(*use->field, face.position));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(
-          fmt::format("source '{}' does not cover the domain: {}", face.source, error.what()));
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const ExchangedFace& face = faces_[i];
+    for (const FieldUse& found : find_fields(sources, face)) {
+      auto use =
+          std::find_if(uses.begin(), uses.end(), [&](const auto& u) { return u.address == found.address; });
+      if (use == uses.end())
+        use = uses.insert(uses.end(), found);
+      try {
+        add_reader(i, static_cast<std::size_t>(use - uses.begin()), map_face(*use->field, face.position));
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(
+            fmt::format("source '{}' does not cover the domain: {}", face.source, error.what()));
+      }
+      const double delay = readers_.back().map.delay;
+      use->least_delay = std::min(use->least_delay, delay);
+      use->largest_delay = std::max(use->largest_delay, delay);
     }
-    const double delay = readers_.back().map.delay;
-    use->least_delay = std::min(use->least_delay, delay);
-    use->largest_delay = std::max(use->largest_delay, delay);
   }
   finish_stations();
   for (const auto& use : uses) {
@@ -81,14 +95,14 @@ void FaceExchange::release_before(double time) {
     inlet.history.release_before(time);
 }
 
-void FaceExchange::add_reader(std::size_t inlet, const FaceMap& map) {
+void FaceExchange::add_reader(std::size_t face, std::size_t inlet, const FaceMap& map) {
   auto station = std::find_if(stations_.begin(), stations_.end(),
                               [&](const Station& s) { return s.inlet == inlet && s.delay == map.delay; });
   if (station == stations_.end())
     station = stations_.insert(station, {inlet, map.delay, {}, {}});
   for (std::size_t k = 0; k < map.points; ++k)
     station->which.push_back(map.first_point + k);
-  readers_.push_back({static_cast<std::size_t>(station - stations_.begin()), 0, map});
+  readers_.push_back({face, static_cast<std::size_t>(station - stations_.begin()), 0, map});
 }
 
 void FaceExchange::finish_stations() {
@@ -97,7 +111,7 @@ void FaceExchange::finish_stations() {
     which.erase(std::unique(which.begin(), which.end()), which.end());
     points.resize(components * which.size());
   }
-  for (auto& [station, first, map] : readers_) {
+  for (auto& [face, station, first, map] : readers_) {
     const auto& which = stations_[station].which;
     first = static_cast<std::size_t>(std::ranges::lower_bound(which, map.first_point) - which.begin());
   }
@@ -134,10 +148,9 @@ void FaceExchange::read(double time, std::span<eq6::FreeField> free_field) {
   release_before(time);
   for (auto& [inlet, delay, which, points] : stations_)
     inlets_[inlet].history.in_time(time - delay, which, points);
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    const auto& [station, first, map] = readers_[i];
-    free_field[i] = in_depth(map, stations_[station].points.data() + components * first);
-  }
+  std::ranges::fill(free_field, eq6::FreeField{});
+  for (const auto& [face, station, first, map] : readers_)
+    add(free_field[face], in_depth(map, stations_[station].points.data() + components * first));
 }
 
 } // namespace tremolo::coupler

@@ -1,7 +1,7 @@
 #pragma once
 
 // The free field at all faces of the domain at one time: the histories of the fields they take, and their
-// maps. The hub uses one in mode lockstep, the domain in mode window; one implementation, so the modes cannot
+// maps. A face takes the sum of its source's fields, of which each plane wave has one. The hub uses one in mode lockstep, the domain in mode window; one implementation, so the modes cannot
 // differ.
 
 #include "coupler/mapping/mapping.hpp"
@@ -77,11 +77,12 @@ private:
     std::vector<double> points;     ///< as in_time() gives them
   };
   struct Reader {
+    std::size_t face = 0;
     std::size_t station = 0;
     std::size_t first = 0; ///< its first point among the station's
     FaceMap map;
   };
-  void add_reader(std::size_t inlet, const FaceMap& map);
+  void add_reader(std::size_t face, std::size_t inlet, const FaceMap& map);
   void finish_stations();
 
   std::vector<ExchangedFace> faces_;

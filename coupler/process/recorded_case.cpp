@@ -65,7 +65,7 @@ Values of_free_field(const Values& values, scene::Side side, const std::string& 
   const std::string ground = ground_prefix(side);
   Values kept;
   for (const auto& [key, value] : values) {
-    if (key == "motion.file")
+    if (key == "motion.file" || key == "motion.vertical.file")
       continue; // what it holds is compared, not where it lies
     if (begins_with_any(key, always) || begins_with_any(key, soils))
       kept[key] = value;
@@ -87,10 +87,11 @@ std::string numbered(std::string_view what, std::size_t index) {
 
 /// What the records hold; of a later shaking all that its stage says, under a name without the stage's
 /// number.
-void add_motions(const scene::Case& scene, std::vector<results::RecordedValue>& values) {
-  for (std::size_t i = 0; i < scene.motion.shakings.size(); ++i) {
-    const scene::ShakingMotion& shaking = scene.motion.shakings[i];
-    const std::string name = numbered("motion", i);
+void add_motions(const scene::Case& scene, const scene::MotionInput& input,
+                 std::vector<results::RecordedValue>& values) {
+  for (std::size_t i = 0; i < input.shakings.size(); ++i) {
+    const scene::ShakingMotion& shaking = input.shakings[i];
+    const std::string name = numbered(input.path, i);
     if (const auto* file = std::get_if<scene::MotionFile>(&shaking.source))
       values.push_back({name + std::string(checksum_of_file), text_crc(read_text_file(file->path))});
     if (i == 0)
@@ -98,7 +99,8 @@ void add_motions(const scene::Case& scene, std::vector<results::RecordedValue>& 
     values.push_back({name + "from", fmt::format("{} s", shaking.start)});
     const std::string given = shaking.path + ".";
     for (const scene::ValueInForce& value : scene.values)
-      if (value.key.starts_with(given) && value.key != given + "file")
+      if (value.key.starts_with(given) && value.key != given + "file" &&
+          !value.key.starts_with(given + "vertical."))
         values.push_back({name + value.key.substr(given.size()), value.value});
   }
 }
@@ -119,7 +121,8 @@ std::vector<results::RecordedValue> recorded_values(const scene::Case& scene) {
   std::vector<results::RecordedValue> values;
   for (const scene::ValueInForce& value : scene.values)
     values.push_back({value.key, value.value});
-  add_motions(scene, values);
+  for (const scene::MotionInput* wave : scene.plane_waves())
+    add_motions(scene, *wave, values);
   add_rests(scene, values);
   return values;
 }

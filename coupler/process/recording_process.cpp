@@ -33,11 +33,25 @@ bool covers(const Range& have, const Range& asked, double hair) {
   return have.first <= asked.first + hair && have.last >= asked.last - hair;
 }
 
-std::size_t find(const std::vector<results::RecordedField>& fields, std::string_view name,
-                 const std::string& file) {
-  const auto found = std::ranges::find(fields, name, &results::RecordedField::name);
-  if (found != fields.end())
-    return static_cast<std::size_t>(found - fields.begin());
+coupler::FieldDescription description_of(const results::RecordedField& field) {
+  return {.name = field.name,
+          .y = field.levels,
+          .x_reference = field.x_reference,
+          .slowness_x = field.slowness_x,
+          .start_time = field.start_time,
+          .time_step = field.time_step,
+          .step_count = field.step_count};
+}
+
+/// Those whose sum faces take as `name`, by number.
+std::vector<std::size_t> find(const std::vector<results::RecordedField>& fields, std::string_view name,
+                              const std::string& file) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (coupler::adds_to(description_of(fields[i]), name))
+      found.push_back(i);
+  if (!found.empty())
+    return found;
   std::string held;
   for (const auto& field : fields)
     held += fmt::format("{}'{}'", held.empty() ? "" : ", ", field.name);
@@ -59,7 +73,7 @@ void require_cover(const coupler::FieldDescription& field, const scene::Case& sc
                    const scene::SourceProcess& source, const std::string& file) {
   const scene::Service asked = scene::service(scene, source, field.slowness_x);
   const auto line = std::ranges::find_if(
-      asked.lines, [&](const scene::ServedLine& l) { return scene::name(l.field) == field.name; });
+      asked.lines, [&](const scene::ServedLine& l) { return coupler::adds_to(field, scene::name(l.field)); });
   const Range levels{line->levels.front(), line->levels.back()};
   // The case asks on its own line; the recording's may stand elsewhere.
   const double shift = field.slowness_x * (asked.x_line - field.x_reference);
@@ -136,23 +150,17 @@ void run(const coupler::ParticipantOptions& options, const std::string& file, co
 
   std::vector<std::size_t> recorded;
   std::vector<coupler::FieldDescription> fields;
-  for (const scene::ServedLine& line : scene::service(scene, source, 0.0).lines) {
-    recorded.push_back(find(recording.fields(), scene::name(line.field), file));
-    const results::RecordedField& field = recording.fields()[recorded.back()];
-    fields.push_back({.name = field.name,
-                      .y = field.levels,
-                      .x_reference = field.x_reference,
-                      .slowness_x = field.slowness_x,
-                      .start_time = field.start_time,
-                      .time_step = field.time_step,
-                      .step_count = field.step_count});
-    try {
-      coupler::validate(fields.back());
-      require_cover(fields.back(), scene, source, file);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(error.what() + reason_for_end(file, side));
+  for (const scene::ServedLine& line : scene::service(scene, source, 0.0).lines)
+    for (const std::size_t number : find(recording.fields(), scene::name(line.field), file)) {
+      recorded.push_back(number);
+      fields.push_back(description_of(recording.fields()[number]));
+      try {
+        coupler::validate(fields.back());
+        require_cover(fields.back(), scene, source, file);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(error.what() + reason_for_end(file, side));
+      }
     }
-  }
 
   coupler::SourceClient client(options, fields);
   client.serve([&](std::size_t f, std::uint64_t step, std::span<double> values) {

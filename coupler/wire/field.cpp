@@ -37,6 +37,10 @@ void validate(const FieldDescription& field) {
     refuse(fmt::format("step_count is {}, expected at least 2", field.step_count));
 }
 
+bool adds_to(const FieldDescription& field, std::string_view asked) {
+  return std::string_view(field.name).substr(0, field.name.find('+')) == asked;
+}
+
 std::uint32_t steps_per_frame(const FieldDescription& field, std::uint32_t window_steps) {
   constexpr std::size_t most_bytes = std::size_t{1} << 20;
   const std::size_t fitting = most_bytes / (field.values_per_step() * sizeof(double));

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tremolo::coupler {
@@ -23,7 +24,9 @@ inline constexpr std::size_t values_per_point = 10;
 
 /// One free field that a source serves.
 struct FieldDescription {
-  std::string name; ///< "total" (free field with its free surface) or "incident" (the upgoing wave alone)
+  /// "total" (free field with its free surface) or "incident" (the upgoing wave alone). A plane wave of
+  /// another slowness is a field of its own, "total+vertical": it adds to "total".
+  std::string name;
   /// Elevations of the points served, ascending, m. Where materials meet, a level may stand twice: the first
   /// point holds the limit from below, the second the one from above.
   std::vector<double> y;
@@ -41,6 +44,10 @@ struct FieldDescription {
   }
   [[nodiscard]] double end_time() const { return time(step_count - 1); }
 };
+
+/// Whether a field is one of those whose sum a face takes that asks for `asked`: "total" and "total+vertical"
+/// for "total".
+bool adds_to(const FieldDescription& field, std::string_view asked);
 
 /// Refuses a description that cannot be served: no points, elevations that descend or stand more than
 /// twice, fewer than two steps,

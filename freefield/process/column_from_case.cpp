@@ -1,19 +1,26 @@
 #include "freefield/process/column_from_case.hpp"
 
+#include "freefield/base_motion.hpp"
+#include "freefield/marched/base_impedance.hpp"
 #include "freefield/marched/marched_column.hpp"
 #include "freefield/ode/ode_column.hpp"
 #include "freefield/process/incident_input.hpp"
 #include "freefield/twophase/two_phase_column.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/wave/motion.hpp"
+#include "scene/plan/wave/slowness.hpp"
 #include "scene/soils/viscous_damping.hpp"
 #include "wavefield/process/ground_from_case.hpp"
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace tremolo::freefield {
 
@@ -87,10 +94,10 @@ Damping damping_from_case(const scene::Case& scene) {
 }
 
 /// At an angle the base moves as v(t - s x).
-ColumnInput rigid_input(const scene::Case& scene, double x) {
-  const scene::Motion motion = scene::motion(scene.motion);
-  const bool shear = scene.motion.wave == scene::Wave::sv;
-  const double delay = slowness_from_case(scene) * (x - scene.motion.reference.x);
+ColumnInput rigid_input(const scene::Case& scene, const scene::MotionInput& wave, double x) {
+  const scene::Motion motion = scene::motion(wave);
+  const bool shear = wave.wave == scene::Wave::sv;
+  const double delay = scene::slowness_x(scene, wave) * (x - wave.reference.x);
   return {BaseKind::rigid,
           [motion, shear, delay](double time) {
             const double v = motion.velocity(time - delay);
@@ -101,8 +108,10 @@ ColumnInput rigid_input(const scene::Case& scene, double x) {
 
 ColumnInput input_from_case(const scene::Case& scene, const scene::SourceProcess& source, double x,
                             double base) {
-  return scene.motion.kind == motion::MotionKind::within ? rigid_input(scene, x)
-                                                         : incident_input(scene, source, x, base);
+  if (scene.motion.kind != motion::MotionKind::within)
+    return incident_input(scene, source, x, base);
+  ColumnInput input = rigid_input(scene, scene.motion, x);
+  return scene.vertical ? sum(std::move(input), rigid_input(scene, *scene.vertical, x)) : input;
 }
 
 /// The step that the case gives, or a fraction of the limit of central differences, s.
@@ -144,7 +153,7 @@ std::unique_ptr<Column> two_phase_column(const scene::Case& scene, const Profile
 std::unique_ptr<Column> marched_column(const scene::Case& scene, const Profile& profile,
                                        const ColumnInput& input, double start) {
   auto settings = element_settings<MarchedSettings>(scene, input);
-  settings.slowness_x = slowness_from_case(scene);
+  settings.slowness_x = scene::slowness_x(scene, scene.motion);
   settings.time_step = time_step(scene, profile, fraction_at_an_angle, [&](double growth) {
     return marched_step_limit(profile, settings.max_element_size, settings.slowness_x, settings.damping,
                               growth);
@@ -205,10 +214,42 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
   }
 }
 
-double slowness_from_case(const scene::Case& scene) {
-  const bool shear = scene.motion.wave == scene::Wave::sv;
-  const double speed = shear ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
-  return std::sin(wavefield::incidence_from_case(scene).angle_rad) / speed;
+namespace {
+
+/// Of one wave, where all layers end.
+RockMotion rock_motion(const scene::Case& scene, const scene::MotionInput& wave, const Profile& profile,
+                       const wavefield::LayeredHalfSpace& ground) {
+  const double slowness = scene::slowness_x(scene, wave);
+  if (wave.kind == motion::MotionKind::within)
+    return [slowness, base = rigid_input(scene, wave, 0.0).velocity](double x, double time) {
+      return base(time - slowness * x);
+    };
+  const BaseImpedance base = base_impedance(scene.halfspace, slowness);
+  const Eigen::Matrix2d outcrop = base.outgoing.inverse() * base.incident;
+  return [slowness, outcrop, rise = rise_to_damped_soil(profile, slowness),
+          input = incident_input(wave, ground, 0.0, profile.base_level()).velocity](double x, double time) {
+    const double here = time - slowness * x;
+    const Eigen::Vector2d v = outcrop * Eigen::Vector2d(input(here - rise.x).x, input(here - rise.y).y);
+    return Velocity{v.x(), v.y()};
+  };
+}
+
+} // namespace
+
+RockMotion rock_motion(const scene::Case& scene, const scene::SourceProcess& source) {
+  const Profile profile = profile_from_case(scene, source, scene.fe.element_size, Water::two_phases);
+  const auto ground = wavefield::ground_from_case(scene, scene::layers(scene, source));
+  std::vector<RockMotion> waves;
+  for (const scene::MotionInput* wave : scene.plane_waves())
+    waves.push_back(rock_motion(scene, *wave, profile, ground));
+  return [waves](double x, double time) {
+    Velocity sum;
+    for (const RockMotion& wave : waves) {
+      const Velocity v = wave(x, time);
+      sum = {sum.x + v.x, sum.y + v.y};
+    }
+    return sum;
+  };
 }
 
 } // namespace tremolo::freefield

@@ -4,6 +4,7 @@
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace tremolo::freefield {
@@ -17,7 +18,11 @@ namespace tremolo::freefield {
 std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::SourceProcess& source,
                                          double x_line, double needed_from);
 
-/// Horizontal slowness of a source's field, s/m.
-double slowness_from_case(const scene::Case& scene);
+/// v_ref of damping in proportion to mass (base_motion.hpp), m/s, at x (m) and a time (s).
+using RockMotion = std::function<Velocity(double x, double time)>;
+
+/// How the rock below a source's ground would move without soil. No wave may come up beyond the critical
+/// angle of the half-space.
+RockMotion rock_motion(const scene::Case& scene, const scene::SourceProcess& source);
 
 } // namespace tremolo::freefield

@@ -5,6 +5,7 @@
 #include "freefield/process/column_values.hpp"
 #include "freefield/process/incident_field.hpp"
 #include "scene/plan/service.hpp"
+#include "scene/plan/wave/slowness.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +47,7 @@ void run(const coupler::ParticipantOptions& options) {
   const scene::Case scene = scene::load(options.case_file);
   const scene::Plan plan = scene::plan(scene);
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
-  const double slowness = freefield::slowness_from_case(scene);
+  const double slowness = scene::slowness_x(scene, scene.motion);
   const scene::Service service = scene::service(scene, source, slowness);
   const auto column = freefield::column_from_case(scene, source, service.x_line, service.start_time);
   const double dt = column->time_step();

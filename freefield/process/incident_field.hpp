@@ -14,8 +14,8 @@
 
 namespace tremolo::freefield {
 
-/// The incident wave alone, which no layer has met: exact, and known for all times. What a source serves to a
-/// base that takes it.
+/// The incident waves alone, which no layer has met: exact, and known for all times. What a source serves to
+/// a base that takes it.
 class IncidentField {
 public:
   /// @param x, levels  where it is served, m

@@ -1,5 +1,6 @@
 #include "mpm_domain/process/column_from_case.hpp"
 
+#include "freefield/process/column_from_case.hpp"
 #include "freefield/process/incident_input.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 #include "scene/plan/layers.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -22,16 +24,17 @@ namespace {
 
 /// Adds a layer of the column between two levels.
 void add_layer(Spec& spec, const materials::Law& law, const std::optional<materials::PoreSpace>& pores,
-               const scene::Damping& damping, double ratio, double top, double bottom) {
+               const scene::Case& scene, double ratio, double top, double bottom) {
   const double left = spec.box.x_min;
   const double right = spec.box.x_max;
   spec.regions.push_back({spec.soils.size(), {{left, bottom}, {right, bottom}, {right, top}, {left, top}}});
   spec.soils.push_back({std::to_string(spec.soils.size() + 1),
                         law,
                         {},
-                        scene::damping_time(damping, ratio),
+                        scene::damping_time(scene.damping, ratio),
                         pores,
-                        scene::relaxation(damping, ratio)});
+                        scene::relaxation(scene.damping, ratio),
+                        scene::mass_damping(scene, ratio)});
 }
 
 Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
@@ -56,14 +59,23 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   for (const scene::Layer& layer : scene::layers(scene, source)) {
     const scene::Soil* const soil = layer.soil ? &scene.soils[*layer.soil] : nullptr;
     add_layer(spec, soil != nullptr ? soil->law : materials::LinearElastic{layer.elastic},
-              soil != nullptr ? soil->pores : std::nullopt, scene.damping, layer.damping, top,
-              top - layer.thickness);
+              soil != nullptr ? soil->pores : std::nullopt, scene, layer.damping, top, top - layer.thickness);
     top -= layer.thickness;
   }
   if (top > spec.box.y_min)
-    add_layer(spec, materials::LinearElastic{scene.halfspace}, std::nullopt, scene.damping, 0.0, top,
-              spec.box.y_min);
+    add_layer(spec, materials::LinearElastic{scene.halfspace}, std::nullopt, scene, 0.0, top, spec.box.y_min);
   return spec;
+}
+
+/// v_ref of the ground of a source; zero where nothing is damped in proportion to mass.
+std::function<Vector(double, double)> rock_motion_below(const scene::Case& scene,
+                                                        const scene::SourceProcess& source) {
+  if (!(scene::mass_damping(scene, 1.0) > 0.0))
+    return [](double, double) { return Vector{}; };
+  return [motion = freefield::rock_motion(scene, source)](double x, double time) {
+    const freefield::Velocity v = motion(x, time);
+    return Vector{v.x, v.y};
+  };
 }
 
 /// Velocity and stress of the incident wave at the base: sxy = -rho c_s vx, syy = -rho c_p vy, sxx = lambda/M
@@ -156,10 +168,18 @@ PeriodicColumnSpec periodic_column_spec(const scene::Case& scene, const scene::S
     throw std::invalid_argument(
         fmt::format("{}: model \"mpm\" has the cells of the domain: [mesh] size and box are needed",
                     scene.file.string()));
-  const Spec spec = column_spec(scene, source);
+  Spec spec = column_spec(scene, source);
+  spec.rock_motion = rock_motion_below(scene, source);
   const auto input = freefield::incident_input(scene, source, x_line, spec.box.y_min);
   auto incident = incident_wave(scene.halfspace, input.velocity);
   return {spec, scene.halfspace, std::move(incident), input.begin, scene.time.dt};
+}
+
+std::function<Vector(double, double)> rock_motion(const scene::Case& scene, const scene::Plan& plan) {
+  if (scene.boundary.has_shaking_table())
+    return [](double, double) { return Vector{}; };
+  const auto side = scene.boundary.has_lateral_fields() ? scene::Side::left : scene::Side::base;
+  return rock_motion_below(scene, scene::source_of(plan, side));
 }
 
 std::unique_ptr<freefield::Column> column_from_case(const scene::Case& scene,

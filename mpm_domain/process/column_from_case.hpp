@@ -5,6 +5,7 @@
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace tremolo::mpm_domain {
@@ -16,6 +17,11 @@ namespace tremolo::mpm_domain {
 /// @throws std::invalid_argument without [mesh], motion::RecordError for an unreadable motion
 PeriodicColumnSpec periodic_column_spec(const scene::Case& scene, const scene::SourceProcess& source,
                                         double x_line);
+
+/// v_ref for the particles of the whole domain: of the ground at its left side, or at its base where the sides
+/// are no free fields. On a shaking table, from which the domain is seen, it is zero.
+/// @throws motion::RecordError for an unreadable motion
+std::function<Vector(double x, double time)> rock_motion(const scene::Case& scene, const scene::Plan& plan);
 
 /// That column as a free field that can be sampled at any level. It is linear between base, rows of particles
 /// and surface.

@@ -10,6 +10,7 @@
 #include "coupler/participant.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
+#include "mpm_domain/process/column_from_case.hpp"
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/come_to_rest.hpp"
 #include "mpm_domain/process/coupled_faces.hpp"
@@ -234,7 +235,8 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
                coupler::DomainClient* client, Communicator* ranks, const std::string& until) {
   if (ranks != nullptr)
     require_same_inputs(*ranks, scene, plan, options);
-  const Spec spec = spec_from_case(scene, options.threads);
+  Spec spec = spec_from_case(scene, options.threads);
+  spec.rock_motion = rock_motion(scene, plan);
   if (ranks != nullptr)
     require_shareable(spec);
   Domain domain(spec);

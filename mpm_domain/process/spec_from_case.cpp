@@ -109,7 +109,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   for (const scene::Soil& soil : scene.soils)
     spec.soils.push_back({soil.name, soil.law, finer_laws(soil, scene.mesh),
                           scene::damping_time(scene.damping, soil.damping), soil.pores,
-                          scene::relaxation(scene.damping, soil.damping)});
+                          scene::relaxation(scene.damping, soil.damping),
+                          scene::mass_damping(scene, soil.damping)});
   spec.water = water_of(scene.water);
   spec.regions = regions_of(scene.regions);
   spec.structures = structures_of(scene.structures);

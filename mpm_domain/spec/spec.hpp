@@ -10,6 +10,7 @@
 #include "mpm_domain/spec/numerics.hpp"
 #include "mpm_domain/spec/structure.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ struct Soil {
   /// The pores of soil that may lie below a water table. The density of its law is then the saturated one.
   std::optional<materials::PoreSpace> pores = {};
   materials::Relaxation relaxation = {}; ///< mechanisms of constant damping, in the place of damping_time
+  double mass_damping = 0.0; ///< alpha, 1/s, on velocities relative to Spec::rock_motion; 0: none
 };
 
 /// Levels of the water at both sides of a model: of the table in the ground there, or of free water over it,
@@ -119,6 +121,8 @@ struct Spec {
   std::optional<materials::Elasticity> below_base;
   /// Fields of one's own that particles carry besides those of the table.
   std::vector<ParticleFieldDescription> more_fields = {};
+  /// v_ref at x (m) and a time (s), m/s: how the rock would move without soil (mass_damping/passes.hpp).
+  std::function<Vector(double, double)> rock_motion = [](double, double) { return Vector{}; };
   /// While it rests, shaking is over and soil reconsolidates (materials::after_shaking).
   materials::SoilClock clock = {};
   int threads = 1;

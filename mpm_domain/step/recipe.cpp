@@ -6,6 +6,7 @@
 #include "mpm_domain/contact/passes.hpp"
 #include "mpm_domain/contact/structure_loads.hpp"
 #include "mpm_domain/lining/passes.hpp"
+#include "mpm_domain/mass_damping/passes.hpp"
 #include "mpm_domain/step/node_passes.hpp"
 #include "mpm_domain/step/step_passes.hpp"
 #include "mpm_domain/transfer/passes/passes.hpp"
@@ -32,6 +33,7 @@ std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
   add(lining_passes(domain, domain.linings));
   add(sharp_passes(domain));
   add(step_passes(domain));
+  add(mass_damping_passes(domain));
   std::ranges::stable_sort(passes, {}, &Pass::phase);
   return passes;
 }

@@ -34,26 +34,21 @@ Table damping() {
       .meaning =
           "Material damping at small strain, of the free field and of the domain. In time, where domain and "
           "columns march, it is that of relaxation mechanisms (`constant`), which shorten an explicit step "
-          "by "
-          "a few per cent, or proportional to stiffness, sigma = D_e (eps + beta d eps/dt), which shortens "
-          "it "
-          "from t to sqrt(t^2 + beta^2) - beta.",
+          "by a few per cent, or proportional to stiffness, sigma = D_e (eps + beta d eps/dt), which "
+          "shortens "
+          "it from t to sqrt(t^2 + beta^2) - beta.",
       .keys = {
           choice<DampingModel>(
               "model",
               "How damping depends on frequency. `constant`: the same ratio over a `band` of frequencies, in "
-              "domain and all models. `kelvin_voigt`: proportional to it, domain and all models. "
-              "`rayleigh`: the "
-              "ratio at two frequencies, columns `fe` and `ode` only, its part proportional to mass relative "
-              "to "
-              "the rock's motion without soil; the domain and `mpm` have its part "
-              "proportional to stiffness alone. `hysteretic` G (1 + 2 i xi), `shake` G (1 - 2 xi^2 "
-              "+ 2 i xi "
-              "sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at all frequencies, `wave` and "
-              "`eql`; "
-              "domain and columns then take Kelvin-Voigt damping with the ratio at `reference_hz`. Under "
-              "`none` the "
-              "curves of `eql` damp as `hysteretic`.",
+              "domain and all models. `kelvin_voigt`: proportional to it, domain and all models. `rayleigh`: "
+              "the ratio at two frequencies, its part proportional to mass relative to the rock's motion "
+              "without soil; domain, columns and, at vertical incidence, `wave`. `hysteretic` G (1 + 2 i "
+              "xi), "
+              "`shake` G (1 - 2 xi^2 + 2 i xi sqrt(1 - xi^2)) and `kjartansson`: the same or nearly so at "
+              "all "
+              "frequencies, `wave` and `eql`; domain and columns then take Kelvin-Voigt damping with the "
+              "ratio at `reference_hz`. Under `none` the curves of `eql` damp as `hysteretic`.",
               DampingModel::none),
           {.name = "ratio",
            .unit = "1",

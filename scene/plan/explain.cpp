@@ -40,8 +40,7 @@ std::string cost_text(const Effect& effect) {
   return text.empty() ? "" : fmt::format(" ({} per particle)", text);
 }
 
-std::string motion_text(const Case& scene) {
-  const auto& motion = scene.motion;
+std::string motion_text(const Case& scene, const MotionInput& motion) {
   std::string source;
   for (const ShakingMotion& shaking : motion.shakings) {
     if (shaking.stage > 0)
@@ -160,7 +159,9 @@ std::string soils_text(const Case& scene) {
 } // namespace
 
 std::string explain(const Case& scene, const Plan& plan) {
-  std::string text = fmt::format("{}\n  motion     {}\n", scene.title, motion_text(scene));
+  std::string text = fmt::format("{}\n", scene.title);
+  for (const MotionInput* wave : scene.plane_waves())
+    text += fmt::format("  {}     {}\n", wave == &scene.motion ? "motion" : "  and ", motion_text(scene, *wave));
   text += "\nStages\n" + stages_text(scene);
   text += "\nEffects\n";
   for (const Effect& effect : plan.effects)

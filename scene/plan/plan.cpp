@@ -227,8 +227,9 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        by_cell ? 40.0 : 0.0, by_cell ? dilatation_cost_ns : 0.0},
       {"strain softening", softening,
        softening ? "a [soil] with softening > 0" : "no soil has softening > 0"},
-      {"oblique incidence", scene.motion.angle_deg > 0.0,
-       fmt::format("[motion] angle_deg = {}", scene.motion.angle_deg)},
+      {"oblique incidence", scene.is_oblique(),
+       fmt::format("[motion] angle_deg = {}", scene.motion.angle_deg) +
+           (scene.vertical ? fmt::format(", [motion.vertical] angle_deg = {}", scene.vertical->angle_deg) : "")},
       {"free field", true, "[boundary]: " + listed(sources)},
       {"periodic sides", sides == Sides::periodic || sides == Sides::periodic_springs, sides_text(sides)},
       {"shaking table", scene.boundary.has_shaking_table(),

@@ -1,11 +1,9 @@
 #include "scene/plan/resolved.hpp"
 
 #include "scene/plan/service.hpp"
+#include "scene/plan/wave/slowness.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
-#include <numbers>
 
 namespace tremolo::scene {
 
@@ -17,10 +15,7 @@ std::string resolved_json(const Case& scene, const Plan& plan) {
   for (const auto& [key, value, origin] : scene.values)
     json["values"].push_back({{"key", key}, {"value", value}, {"origin", origin}});
   json["plan"] = ordered_json::parse(to_json(scene, plan));
-  const double speed =
-      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
-  const double sine = std::sin(scene.motion.angle_deg * std::numbers::pi / 180.0);
-  const double slowness = sine > 0.0 ? sine / speed : 0.0; // a shaking table has no speed
+  const double slowness = slowness_x(scene, scene.motion);
   json["served"] = ordered_json::array();
   for (const SourceProcess& source : plan.sources) {
     const Service service = scene::service(scene, source, slowness);

@@ -2,6 +2,7 @@
 
 #include "scene/plan/plan.hpp"
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,12 @@ struct Service {
   double start_time = 0.0;       ///< s
   double end_time = 0.0;         ///< s
 };
+
+/// What the names of served fields end with, by the index of their plane wave: a face that asks for "total"
+/// takes the sum of "total" and "total+vertical" (coupler/wire/field.hpp).
+constexpr std::string_view suffix_of_wave(std::size_t wave) {
+  return wave == 0 ? "" : "+vertical";
+}
 
 /// @param slowness_x p of the source, s/m
 Service service(const Case& scene, const SourceProcess& source, double slowness_x);

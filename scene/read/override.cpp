@@ -95,7 +95,7 @@ std::string overridden_text(const Case& scene, const CaseOverride& values) {
                     scene.file.string()));
   if (file != nullptr)
     replacements.put("motion.file", quoted(values.record.value_or(file->path)));
-  for (const auto& [later, path] : scene.motion.records())
+  for (const auto& [later, path] : scene.records())
     if (later != file)
       replacements.put(path + ".file", quoted(later->path));
   if (values.angle_deg)

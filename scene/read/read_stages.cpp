@@ -122,6 +122,14 @@ void read_shaking_motion(const TableReader& table, bool first, Case& scene, Find
   ShakingMotion shaking{.stage = scene.timed.size() - 1,
                         .start = scene.clock().simulated_time(stage.start),
                         .path = table.path()};
+  if (const auto vertical = table.table("vertical")) {
+    if (!scene.vertical)
+      scene.vertical.emplace();
+    ShakingMotion beside{.stage = shaking.stage, .start = shaking.start, .path = vertical->path()};
+    if (auto source = read_motion_source(*vertical, scene, findings))
+      beside.source = *std::move(source);
+    scene.vertical->shakings.push_back(std::move(beside));
+  }
   if (auto source = read_motion_source(table, scene, findings))
     shaking.source = *std::move(source);
   scene.motion.shakings.push_back(std::move(shaking));

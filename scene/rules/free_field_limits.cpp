@@ -2,6 +2,7 @@
 
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/wave/slowness.hpp"
 #include "scene/soils/viscous_damping.hpp"
 
 #include <fmt/format.h>
@@ -51,22 +52,47 @@ Fastest fastest(const Case& scene, const std::vector<Layer>& layers) {
   return fastest;
 }
 
-std::string refused_angle(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
-  const double angle = scene.motion.angle_deg;
+std::string refused_angle(const Case& scene, const MotionInput& wave, SourceModel model,
+                          const std::vector<Layer>& layers) {
+  const double angle = wave.angle_deg;
   if (traits(model).incidence == Incidence::vertical && angle != 0.0)
-    return fmt::format("model = \"{}\" knows vertical incidence only, but [motion] angle_deg = {}",
-                       name(model), angle);
+    return fmt::format("model = \"{}\" knows vertical incidence only, but [{}] angle_deg = {}", name(model),
+                       wave.path, angle);
   if (traits(model).incidence != Incidence::below_critical || angle == 0.0)
     return {};
-  const double incident =
-      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
+  const double incident = incident_speed(scene, wave);
   const auto [speed, place] = fastest(scene, layers);
   if (std::sin(angle * degree) * speed < incident)
     return {};
   return fmt::format(
       "model = \"{}\" is possible below {:.2f} degrees only, the critical angle of {} (P waves of "
-      "{:.4g} m/s), but [motion] angle_deg = {}",
-      name(model), std::asin(incident / speed) / degree, place, speed, angle);
+      "{:.4g} m/s), but [{}] angle_deg = {}",
+      name(model), std::asin(incident / speed) / degree, place, speed, wave.path, angle);
+}
+
+/// Waves of one horizontal slowness alone make a field that is the same along x, only later, as columns have
+/// it; and the equivalent-linear iteration knows the shear strain of the SV wave alone, which is all there is
+/// where the P wave comes up vertically.
+std::string refused_pair(const Case& scene, SourceModel model) {
+  if (!scene.vertical)
+    return {};
+  const double angle = scene.vertical->angle_deg;
+  if (model == eql && angle != 0.0)
+    return fmt::format("model = \"eql\" iterates on the shear strain of the SV wave, and the P wave of "
+                       "[motion.vertical] shears the ground too at angle_deg = {}: give it angle_deg = 0",
+                       angle);
+  const double slowness = slowness_x(scene, scene.motion);
+  constexpr double same_slowness = 1e-3;
+  if (!marched_in_time(model) ||
+      std::abs(slowness_x(scene, *scene.vertical) - slowness) <= same_slowness * slowness)
+    return {};
+  const double sine = slowness * scene.halfspace.p_wave_speed();
+  return fmt::format("model = \"{}\" takes waves of one speed along x, but [motion] at {} degrees and "
+                     "[motion.vertical] at {} degrees have two{}",
+                     name(model), scene.motion.angle_deg, angle,
+                     sine < 1.0 ? fmt::format(": the P wave beside this SV wave has angle_deg = {:.4g}",
+                                              std::asin(sine) / degree)
+                                : "");
 }
 
 /// `wave` takes a motion within the ground up again by division, which undamped layers have no answer for.
@@ -142,7 +168,10 @@ bool is_linearised(const Case& scene, const std::vector<Layer>& layers) {
 
 std::string refused_wave(const Case& scene, SourceModel model, double surface,
                          const std::vector<Layer>& layers) {
-  for (std::string why : {refused_angle(scene, model, layers), refused_kind(scene, model, layers),
+  for (const MotionInput* wave : scene.plane_waves())
+    if (std::string why = refused_angle(scene, *wave, model, layers); !why.empty())
+      return why;
+  for (std::string why : {refused_pair(scene, model), refused_kind(scene, model, layers),
                           refused_surface(scene, model, surface)})
     if (!why.empty())
       return why;
@@ -177,10 +206,12 @@ std::string other_ways(const Case& scene, SourceModel model, double surface,
     if (yields && in_frequency_domain(models.front()))
       text += fmt::format(", which take{} soil that yields as linear elastic", models.size() == 1 ? "s" : "");
   }
-  if (scene.motion.angle_deg == 0.0)
+  if (!scene.is_oblique())
     return text;
   Case upright = scene;
   upright.motion.angle_deg = 0.0;
+  if (upright.vertical)
+    upright.vertical->angle_deg = 0.0;
   std::vector<SourceModel> others = all_that_take(upright, surface, layers);
   std::erase_if(others, [&](SourceModel other) {
     return in_frequency_domain(other) || std::ranges::find(models, other) != models.end();

@@ -142,6 +142,8 @@ constexpr std::array rules = {
          "The case and the record's header give the same unit."},
     Rule{Severity::warning, Needs::record, record_is_plausible, "record_is_plausible",
          "PGA, PGV and step of the motion's record are those of a strong motion."},
+    Rule{Severity::warning, Needs::ground, outcrop_moves_as_recorded, "outcrop_moves_as_recorded",
+         "Two waves that come up at an angle move an outcrop otherwise than both records say."},
     Rule{Severity::warning, Needs::record, record_ends_at_rest, "record_ends_at_rest",
          "The motion's record ends without a velocity."},
     Rule{Severity::warning, Needs::model, incident_base_has_dashpots, "incident_base_has_dashpots",

@@ -76,6 +76,7 @@ void loads_are_far_from_sides(const Case& scene, Findings& findings);
 void unit_is_that_of_header(const Case& scene, Findings& findings);
 void record_is_plausible(const Case& scene, Findings& findings);
 void record_ends_at_rest(const Case& scene, Findings& findings);
+void outcrop_moves_as_recorded(const Case& scene, Findings& findings);
 void incident_base_has_dashpots(const Case& scene, Findings& findings);
 void springs_have_their_field(const Case& scene, Findings& findings);
 void models_know_nonlinear_soil(const Case& scene, Findings& findings);

@@ -1,5 +1,7 @@
 #include "scene/soils/viscous_damping.hpp"
 
+#include "scene/plan/wave/slowness.hpp"
+
 #include <numbers>
 #include <stdexcept>
 
@@ -11,6 +13,16 @@ double damping_time(const Damping& damping, double ratio) {
   const double sum = damping.model == DampingModel::rayleigh ? damping.frequencies[0] + damping.frequencies[1]
                                                              : damping.reference_hz.value_or(0.0);
   return sum > 0.0 ? ratio / (std::numbers::pi * sum) : 0.0;
+}
+
+double mass_damping(const Case& scene, double ratio) {
+  if (scene.damping.model != DampingModel::rayleigh || ratio == 0.0)
+    return 0.0;
+  for (const MotionInput* wave : scene.plane_waves())
+    if (slowness_x(scene, *wave) * scene.halfspace.p_wave_speed() >= 1.0)
+      return 0.0;
+  const auto [f1, f2] = scene.damping.frequencies;
+  return 4.0 * std::numbers::pi * ratio * f1 * f2 / (f1 + f2);
 }
 
 materials::Relaxation relaxation(const Damping& damping, double ratio) {

@@ -13,6 +13,11 @@ namespace tremolo::scene {
 /// @param ratio of critical
 double damping_time(const Damping& damping, double ratio);
 
+/// alpha of the other part, in proportion to mass, 2 xi w_1 w_2/(w_1 + w_2), 1/s; 0 under another model, and
+/// where a wave comes up beyond the critical angle of the half-space: the rock's own motion, which that
+/// damping is relative to, is none that a wave of its form has there.
+double mass_damping(const Case& scene, double ratio);
+
 /// The relaxation mechanisms that give soil a damping ratio; none under another model than `constant`, and
 /// where it has no frequency.
 /// @param ratio of critical

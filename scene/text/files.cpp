@@ -14,7 +14,7 @@ std::vector<fs::path> data_files(const Case& scene) {
     if (std::ranges::find(files, name) == files.end())
       files.push_back(name);
   };
-  for (const auto& [record, path] : scene.motion.records())
+  for (const auto& [record, path] : scene.records())
     add(record->path);
   for (const FreeFieldModel* field :
        {&scene.boundary.left.field, &scene.boundary.right.field, &scene.boundary.base.field})

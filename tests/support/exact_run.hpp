@@ -63,7 +63,7 @@ inline std::vector<wavefield::Point> lattice() {
 inline void write_exact_run(const std::filesystem::path& file, const Departure& departure = {},
                             const std::string& case_text = exact_case) {
   const scene::Case scene = scene::parse(case_text, "case.toml", ".");
-  const wavefield::LayeredField field = wavefield::elastic_field(scene, scene.profile, scene.surface_level);
+  const wavefield::Superposition field = wavefield::elastic_field(scene, scene.profile, scene.surface_level);
   const auto grid = [&](double dt) {
     return wavefield::TimeGrid{-departure.delay, dt,
                                static_cast<std::size_t>(std::lround(exact_run_end / dt)) + 1};

@@ -12,11 +12,11 @@ double served_interval(double highest_frequency) {
 }
 
 std::vector<coupler::FieldDescription> descriptions(const scene::Service& service, double slowness_x,
-                                                    double dt) {
+                                                    double dt, std::string_view suffix) {
   std::vector<coupler::FieldDescription> fields;
   for (const scene::ServedLine& line : service.lines)
     fields.push_back(
-        {.name = std::string(scene::name(line.field)),
+        {.name = std::string(scene::name(line.field)).append(suffix),
          .y = line.levels,
          .x_reference = service.x_line,
          .slowness_x = slowness_x,

@@ -3,6 +3,7 @@
 #include "coupler/participant.hpp"
 #include "scene/plan/service.hpp"
 
+#include <string_view>
 #include <vector>
 
 namespace tremolo::wavefield {
@@ -13,7 +14,8 @@ namespace tremolo::wavefield {
 double served_interval(double highest_frequency);
 
 /// The fields of a service, two steps longer at both ends than it is asked for.
+/// @param suffix  of their names, for a plane wave that is not the first one
 std::vector<coupler::FieldDescription> descriptions(const scene::Service& service, double slowness_x,
-                                                    double dt);
+                                                    double dt, std::string_view suffix = {});
 
 } // namespace tremolo::wavefield

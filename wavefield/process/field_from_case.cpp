@@ -70,7 +70,7 @@ template <class Solve, class Given>
 EquivalentLinearResult iterated(const scene::Case& scene, const std::vector<scene::Layer>& layers,
                                 const Solve& solve, const Given& given) {
   const auto [ground, curves] = curved_ground(scene, layers);
-  const Incidence incidence = incidence_from_case(scene);
+  const Incidence incidence = incidence_of(scene.motion);
   const EquivalentLinearOptions options{.strain_ratio = scene.eql.strain_ratio,
                                         .tolerance = scene.eql.tolerance,
                                         .max_iterations = scene.eql.iterations,
@@ -93,7 +93,7 @@ EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
   // Without layers there is nothing whose stiffness could follow the strain: one pass, no change.
   if (layers.empty())
     return {.profile = ground, .iterations = {EquivalentLinearIteration{}}, .converged = true};
-  const Signal signal = incident_signal(scene, ground);
+  const Signal signal = incident_signal(scene.motion, ground);
   const double dt = 0.5 / signal.highest_frequency;
   const auto acceleration = acceleration_of(signal, dt);
   return iterated(scene, layers, equivalent_linear, IncidentAcceleration{acceleration, dt});
@@ -122,16 +122,16 @@ std::vector<std::size_t> layers_beyond_their_curves(const scene::Case& scene,
   return beyond;
 }
 
-LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source) {
+Superposition field_from_case(const scene::Case& scene, const scene::SourceProcess& source) {
   if (source.field.model == scene::SourceModel::eql)
     return field_from_case(scene, source, equivalent_linear_from_case(scene, source));
   return elastic_field(scene, scene::layers(scene, source), source.surface);
 }
 
-LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
-                             const EquivalentLinearResult& result) {
-  return {result.profile, incidence_from_case(scene), source.surface,
-          incident_signal(scene, ground_from_case(scene, scene::layers(scene, source)))};
+Superposition field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
+                              const EquivalentLinearResult& result) {
+  return field_in(result.profile, ground_from_case(scene, scene::layers(scene, source)), scene,
+                  source.surface);
 }
 
 std::string summary(const EquivalentLinearResult& result) {

@@ -3,7 +3,7 @@
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
 #include "wavefield/layers/equivalent_linear.hpp"
-#include "wavefield/layers/layered_field.hpp"
+#include "wavefield/superposition.hpp"
 
 #include <span>
 #include <string>
@@ -13,9 +13,10 @@ namespace tremolo::wavefield {
 
 /// The field of a source: elastic layers for model "wave", strain-compatible ones for "eql".
 /// @throws as incident_signal(); std::runtime_error for an equivalent-linear iteration that does not converge
-LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source);
+Superposition field_from_case(const scene::Case& scene, const scene::SourceProcess& source);
 
-/// The equivalent-linear iteration of a source.
+/// The equivalent-linear iteration of a source, under the SV wave; a P wave beside it comes up vertically and
+/// shears nothing.
 EquivalentLinearResult equivalent_linear_from_case(const scene::Case& scene,
                                                    const scene::SourceProcess& source);
 
@@ -31,8 +32,8 @@ std::vector<std::size_t> layers_beyond_their_curves(const scene::Case& scene,
                                                     std::span<const double> largest_strains);
 
 /// The field in the layers of an iteration's result.
-LayeredField field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
-                             const EquivalentLinearResult& result);
+Superposition field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
+                              const EquivalentLinearResult& result);
 
 /// In words: whether the iteration converged, in how many steps, its largest strain, and where the damping of
 /// the curves was too large for the complex moduli.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace tremolo::wavefield {
 
@@ -58,8 +59,7 @@ LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<sc
   ground.half_space_damping = scene.halfspace_damping;
   // At an angle Rayleigh's is that of columns alone, which have it in their equations. What they ask of this
   // ground is the incident wave, which no layer has met.
-  const bool by_column =
-      scene.damping.model == scene::DampingModel::rayleigh && scene.motion.angle_deg != 0.0;
+  const bool by_column = scene.damping.model == scene::DampingModel::rayleigh && scene.is_oblique();
   ground.damping = {by_column ? DampingModel::none : damping_model(scene.damping),
                     scene.damping.reference_hz.value_or(0.0), scene.damping.band, scene.damping.frequencies};
   for (const scene::Layer& layer : layers)
@@ -72,16 +72,15 @@ LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<sc
   return ground;
 }
 
-Incidence incidence_from_case(const scene::Case& scene) {
-  return {scene.motion.wave == scene::Wave::sv ? WaveType::SV : WaveType::P,
-          scene.motion.angle_deg * std::numbers::pi / 180.0, scene.motion.reference.x,
-          scene.motion.reference.y};
+Incidence incidence_of(const scene::MotionInput& wave) {
+  return {wave.wave == scene::Wave::sv ? WaveType::SV : WaveType::P,
+          wave.angle_deg * std::numbers::pi / 180.0, wave.reference.x, wave.reference.y};
 }
 
-Signal incident_signal(const scene::Case& scene, const LayeredHalfSpace& ground) {
-  const scene::Motion motion = scene::motion(scene.motion);
-  const Incidence incidence = incidence_from_case(scene);
-  switch (scene.motion.kind) {
+Signal incident_signal(const scene::MotionInput& wave, const LayeredHalfSpace& ground) {
+  const scene::Motion motion = scene::motion(wave);
+  const Incidence incidence = incidence_of(wave);
+  switch (wave.kind) {
   case motion::MotionKind::incident:
     return signal_of(motion);
   case motion::MotionKind::outcrop: {
@@ -100,10 +99,18 @@ Signal incident_signal(const scene::Case& scene, const LayeredHalfSpace& ground)
   throw std::logic_error("a kind of motion without a name");
 }
 
-LayeredField elastic_field(const scene::Case& scene, const std::vector<scene::Layer>& layers,
-                           double surface_level) {
+Superposition field_in(const LayeredHalfSpace& ground, const LayeredHalfSpace& elastic,
+                       const scene::Case& scene, double surface_level) {
+  std::vector<LayeredField> fields;
+  for (const scene::MotionInput* wave : scene.plane_waves())
+    fields.emplace_back(ground, incidence_of(*wave), surface_level, incident_signal(*wave, elastic));
+  return Superposition(std::move(fields));
+}
+
+Superposition elastic_field(const scene::Case& scene, const std::vector<scene::Layer>& layers,
+                            double surface_level) {
   const LayeredHalfSpace ground = ground_from_case(scene, layers);
-  return {ground, incidence_from_case(scene), surface_level, incident_signal(scene, ground)};
+  return field_in(ground, ground, scene, surface_level);
 }
 
 } // namespace tremolo::wavefield

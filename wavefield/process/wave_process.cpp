@@ -32,26 +32,30 @@ constexpr std::size_t levels_per_beat = 32;
 /// Of all steps of the levels that are computed together.
 constexpr std::size_t most_lot_bytes = std::size_t{32} << 20;
 
-/// The field at all its levels, some at a time, with a sign of life after each piece of time: a long record
+/// What a plane wave is served as.
+struct Served {
+  const LayeredField& field;
+  Part part;
+  coupler::FieldDescription description;
+};
+
+/// A field at all its levels, some at a time, with a sign of life after each piece of time: a long record
 /// takes a while.
 /// @param done levels of the fields before this one
-wavefield::ServedSteps served_steps(const wavefield::LayeredField& field,
-                                    const coupler::FieldDescription& served, double done,
-                                    coupler::SourceClient& client) {
-  const bool incident = served.name == scene::name(scene::BaseForm::incident);
-  const wavefield::Part part = incident ? wavefield::Part::incident : wavefield::Part::total;
-  const auto points = wavefield::points_on_line(served.x_reference, served.y);
-  const wavefield::TimeGrid times{served.start_time, served.time_step, served.step_count};
-  const wavefield::LongField whole(field, points, times, part);
+ServedSteps served_steps(const Served& served, double done, coupler::SourceClient& client) {
+  const auto& [field, part, description] = served;
+  const auto points = points_on_line(description.x_reference, description.y);
+  const TimeGrid times{description.start_time, description.time_step, description.step_count};
+  const LongField whole(field, points, times, part);
   std::vector<std::size_t> pieces;
-  for (const wavefield::TimeGrid& piece : whole.pieces())
+  for (const TimeGrid& piece : whole.pieces())
     pieces.push_back(piece.count);
   const std::size_t level_bytes = pieces.front() * coupler::values_per_point * sizeof(double);
   const std::size_t lot_levels = std::clamp<std::size_t>(most_lot_bytes / level_bytes, 1, levels_per_beat);
-  wavefield::ServedSteps steps(points.size(), pieces);
+  ServedSteps steps(points.size(), pieces);
   for (std::size_t begin = 0; begin < points.size(); begin += lot_levels) {
     const auto lot = std::span(points).subspan(begin, std::min(lot_levels, points.size() - begin));
-    whole.sample(lot, [&](std::size_t piece, const std::vector<wavefield::History>& histories) {
+    whole.sample(lot, [&](std::size_t piece, const std::vector<History>& histories) {
       steps.put(piece, begin, histories);
       done += static_cast<double>(lot.size() * pieces[piece]) / static_cast<double>(times.count);
       client.beat(done);
@@ -61,12 +65,30 @@ wavefield::ServedSteps served_steps(const wavefield::LayeredField& field,
 }
 
 /// Says in the log what an equivalent-linear iteration did.
-wavefield::LayeredField field_of(const scene::Case& scene, const scene::SourceProcess& source) {
+Superposition field_of(const scene::Case& scene, const scene::SourceProcess& source) {
   if (source.field.model != scene::SourceModel::eql)
-    return wavefield::field_from_case(scene, source);
-  const auto result = wavefield::equivalent_linear_from_case(scene, source);
-  fmt::print("{}equivalent linear: {}\n", result.converged ? "" : "warning: ", wavefield::summary(result));
-  return wavefield::field_from_case(scene, source, result);
+    return field_from_case(scene, source);
+  const auto result = equivalent_linear_from_case(scene, source);
+  fmt::print("{}equivalent linear: {}\n", result.converged ? "" : "warning: ", summary(result));
+  return field_from_case(scene, source, result);
+}
+
+/// Plane waves have slownesses of their own, so each is served by itself; a face takes their sum.
+std::vector<Served> served_fields(const Superposition& field, const scene::Case& scene,
+                                  const scene::SourceProcess& source) {
+  const auto waves = scene.plane_waves();
+  std::vector<Served> all;
+  for (std::size_t w = 0; w < waves.size(); ++w) {
+    const LayeredField& wave = field.waves()[w];
+    const scene::Service service = scene::service(scene, source, wave.slowness_x());
+    const double dt = served_interval(scene::motion(*waves[w]).highest_frequency());
+    const auto fields = descriptions(service, wave.slowness_x(), dt, scene::suffix_of_wave(w));
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      all.push_back({wave,
+                     service.lines[i].field == scene::BaseForm::incident ? Part::incident : Part::total,
+                     fields[i]});
+  }
+  return all;
 }
 
 void run(const coupler::ParticipantOptions& options) {
@@ -75,20 +97,21 @@ void run(const coupler::ParticipantOptions& options) {
   const scene::SourceProcess& source = scene::source_named(plan, options.name);
   if (source.field.model == scene::SourceModel::shaking_table)
     return serve_shaking_table(scene, source, options);
-  const wavefield::LayeredField field = field_of(scene, source);
-  const double dt = served_interval(scene::motion(scene.motion).highest_frequency());
-  const std::vector<coupler::FieldDescription> fields =
-      descriptions(scene::service(scene, source, field.slowness_x()), field.slowness_x(), dt);
+  const Superposition field = field_of(scene, source);
+  const std::vector<Served> served = served_fields(field, scene, source);
+  std::vector<coupler::FieldDescription> fields;
+  for (const Served& one : served)
+    fields.push_back(one.description);
 
   coupler::SourceClient client(options, fields);
   coupler::Stopwatch synthesis;
   synthesis.start();
-  std::vector<wavefield::ServedSteps> computed;
+  std::vector<ServedSteps> computed;
   computed.reserve(fields.size());
   double levels = 0.0;
-  for (const coupler::FieldDescription& served : fields) {
-    computed.push_back(served_steps(field, served, levels, client));
-    levels += static_cast<double>(served.y.size());
+  for (const Served& one : served) {
+    computed.push_back(served_steps(one, levels, client));
+    levels += static_cast<double>(one.description.y.size());
   }
   synthesis.stop();
 

@@ -15,6 +15,12 @@ namespace {
 
 using freefield::ColumnSample;
 
+std::optional<double> surface_of_vertical(const ColumnGround& ground, const FreeFieldSeries& series) {
+  if (!ground.scene.vertical)
+    return std::nullopt;
+  return peak(series.at(series.levels.size() - 1), &ColumnSample::vy_rate);
+}
+
 ColumnSummary summary_of(const ColumnGround& ground, const FreeFieldSeries& series) {
   const bool shear = ground.scene.motion.wave == scene::Wave::sv;
   const auto along = shear ? &ColumnSample::vx_rate : &ColumnSample::vy_rate;
@@ -23,6 +29,7 @@ ColumnSummary summary_of(const ColumnGround& ground, const FreeFieldSeries& seri
   ColumnSummary summary{.cpu_seconds = series.cpu_seconds,
                         .surface_acceleration = peak(series.at(series.levels.size() - 1), along),
                         .base_acceleration = peak(series.at(0), along),
+                        .vertical_acceleration = surface_of_vertical(ground, series),
                         .largest_strain = peak(series.at(strained), strain),
                         .strain_depth = series.levels.back() - series.levels[strained],
                         .water = {},
@@ -62,6 +69,8 @@ void write_file(const ColumnGround& ground, const ColumnResults& found, const Co
   run.attribute("model", std::string(scene::name(ground.source.field.model)));
   run.attribute("wave", std::string(scene::name(ground.scene.motion.wave)));
   run.attribute("angle_deg", ground.scene.motion.angle_deg);
+  if (ground.scene.vertical)
+    run.attribute("vertical_angle_deg", ground.scene.vertical->angle_deg);
   run.attribute("cpu_time", summary.cpu_seconds);
   run.attribute("report", summary.report);
   for (const results::NamedTable& history : found.histories)

@@ -5,6 +5,7 @@
 #include "scene/plan/layers.hpp"
 #include "scene/plan/service.hpp"
 #include "scene/plan/wave/motion.hpp"
+#include "scene/plan/wave/slowness.hpp"
 #include "wavefield/process/field_from_case.hpp"
 
 #include <fmt/format.h>
@@ -41,18 +42,25 @@ wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<doubl
   /// Histories of this many times at all levels take some 3 GB.
   constexpr double most_times = 2e5;
   const auto& [scene, source, x] = ground;
-  const auto motion = scene::motion(scene.motion);
-  const double delay = freefield::slowness_from_case(scene) * (x - scene.motion.reference.x);
-  const double start = std::min(0.0, motion.begin() + delay);
+  double start = 0.0;
+  double motion_end = 0.0;
+  double highest_frequency = 0.0;
+  for (const scene::MotionInput* wave : scene.plane_waves()) {
+    const auto motion = scene::motion(*wave);
+    const double delay = scene::slowness_x(scene, *wave) * (x - wave->reference.x);
+    start = std::min(start, motion.begin() + delay);
+    motion_end = std::max(motion_end, motion.end() + std::max(0.0, delay));
+    highest_frequency = std::max(highest_frequency, motion.highest_frequency());
+  }
   // A wave that has gone up and down the column four times has left it for practical purposes.
   double crossing = 0.0;
   for (const scene::Layer& layer : scene::layers(scene, source))
     crossing += layer.thickness / layer.elastic.s_wave_speed();
-  const double waves_end = motion.end() + std::max(0.0, delay) + 8.0 * crossing;
+  const double waves_end = motion_end + 8.0 * crossing;
   const double end = duration.value_or(scene.timed.size() > 1 ? scene.end_of_soil_time() : waves_end);
   if (!(end > start && std::isfinite(end)))
     throw std::runtime_error(fmt::format("--duration: {} s, must be finite and > {:.4g} s", end, start));
-  const double fine = std::min(0.005, 0.25 / motion.highest_frequency());
+  const double fine = std::min(0.005, 0.25 / highest_frequency);
   const double dt =
       every.value_or(scene.timed.size() > 1 ? std::max(fine, (end - start) / (0.5 * most_times)) : fine);
   const double steps = std::floor((end - start) / dt + 1e-9);
@@ -68,8 +76,8 @@ namespace {
 
 /// Samples the surface at two times, which shows whether the ground lets go of the wave.
 /// @param displacement  whether its displacement must stay finite too
-void sample_surface(const wavefield::LayeredField& field, wavefield::Point surface, double from, double to,
-                    bool displacement) {
+template <class Field>
+void sample_surface(const Field& field, wavefield::Point surface, double from, double to, bool displacement) {
   field.sample(std::array{surface}, {from, to - from, 2}, wavefield::Part::total,
                {.displacement = displacement, .stress = false, .strain = false});
 }
@@ -106,9 +114,11 @@ void start_waves(const scene::Case& scene, const scene::SourceProcess& source) {
   if (std::ranges::none_of(
           source.serves, [](const scene::Served& served) { return served.field == scene::BaseForm::total; }))
     return;
-  const wavefield::LayeredField field = wavefield::field_from_case(scene, source);
-  const scene::Service service = scene::service(scene, source, field.slowness_x());
-  sample_surface(field, {service.x_line, source.surface}, service.start_time, service.end_time, false);
+  const wavefield::Superposition field = wavefield::field_from_case(scene, source);
+  for (const wavefield::LayeredField& wave : field.waves()) {
+    const scene::Service service = scene::service(scene, source, wave.slowness_x());
+    sample_surface(wave, {service.x_line, source.surface}, service.start_time, service.end_time, false);
+  }
 }
 
 void start_source(const scene::Case& scene, const scene::SourceProcess& source) {
@@ -118,7 +128,7 @@ void start_source(const scene::Case& scene, const scene::SourceProcess& source) 
     return start_waves(scene, source);
   case fe:
   case ode: {
-    const scene::Service service = scene::service(scene, source, freefield::slowness_from_case(scene));
+    const scene::Service service = scene::service(scene, source, scene::slowness_x(scene, scene.motion));
     freefield::column_from_case(scene, source, service.x_line, service.start_time);
     return;
   }

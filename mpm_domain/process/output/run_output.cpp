@@ -242,6 +242,8 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
                     std::vector<double>{scene.boundary.left.surface, scene.boundary.right.surface});
   writer_.attribute("wave", std::string(scene::name(scene.motion.wave)));
   writer_.attribute("angle_deg", scene.motion.angle_deg);
+  if (scene.vertical)
+    writer_.attribute("vertical_angle_deg", scene.vertical->angle_deg);
   writer_.attribute("soil_names", soil_names(domain.spec));
   if (domain.head && domain.head->level() != nullptr)
     writer_.attribute("water_table", *domain.head->level());

@@ -25,6 +25,8 @@ def model(run):
     add("wave", run.attribute("wave"))
     angle = run.attribute("angle_deg")
     add("angle of incidence from the vertical", None if angle is None else f"{angle:g}°")
+    vertical = run.attribute("vertical_angle_deg")
+    add("angle of the P wave with the vertical motion", None if vertical is None else f"{vertical:g}°")
     box = run.attribute("box")
     if box is not None:
         add("model", f"{box[2] - box[0]:g} m wide, {box[3] - box[1]:g} m high")

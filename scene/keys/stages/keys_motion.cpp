@@ -44,19 +44,9 @@ std::vector<Key> record_keys() {
       {.name = "scale", .unit = "1", .meaning = "Factor on the record; only with `file`.", .fallback = "1"}};
 }
 
-/// Of the plane wave, whatever its motion is.
-std::vector<Key> wave_keys() {
-  return {{.name = "kind",
-           .type = Type::choice,
-           .meaning =
-               "Whose motion it is; a `file` needs it. `incident`: of the upgoing wave alone, along its "
-               "polarisation. `outcrop`: of the surface of the bare half-space, horizontal for SV and "
-               "vertical for P; vertically twice the incident wave. `within`: of the top of the half-space "
-               "under the `[[profile]]`, as a downhole sensor records it, or of a shaking table.",
-           .otherwise = "`incident` of a `pulse`",
-           .choices = all_words<motion::MotionKind>()},
-          choice<Wave>("wave", "Type of the incident wave."),
-          {.name = "angle_deg",
+/// Where a plane wave comes from, and where it has its motion.
+std::vector<Key> way_keys() {
+  return {{.name = "angle_deg",
            .unit = "degrees",
            .meaning = "Angle of incidence from the vertical, travelling to +x, +y.",
            .otherwise = "required, but of a shaking table",
@@ -70,6 +60,24 @@ std::vector<Key> wave_keys() {
            .otherwise = "required, but of a shaking table",
            .count = 2,
            .form = "[x, y]"}};
+}
+
+/// Of the plane wave, whatever its motion is.
+std::vector<Key> wave_keys() {
+  return {{.name = "kind",
+           .type = Type::choice,
+           .meaning =
+               "Whose motion it is; a `file` needs it. `incident`: of the upgoing wave alone, along its "
+               "polarisation. `outcrop`: of the surface of the bare half-space, horizontal for SV and "
+               "vertical for P; vertically twice the incident wave. `within`: of the top of the half-space "
+               "under the `[[profile]]`, as a downhole sensor records it, or of a shaking table.",
+           .otherwise = "`incident` of a `pulse`",
+           .choices = all_words<motion::MotionKind>()},
+          choice<Wave>("wave", "Type of the incident wave.")};
+}
+
+void append(std::vector<Key>& keys, std::vector<Key> more) {
+  keys.insert(keys.end(), more.begin(), more.end());
 }
 
 Table pulse_table(std::string_view name) {
@@ -96,9 +104,16 @@ std::vector<Table> motion_tables() {
                .required = true,
                .meaning = "The incident plane wave: a `pulse` or the record in a `file`, never both.",
                .keys = record_keys()};
-  for (const Key& key : wave_keys())
-    motion.keys.push_back(key);
-  return {motion, pulse_table("motion.pulse")};
+  append(motion.keys, wave_keys());
+  append(motion.keys, way_keys());
+  Table vertical{.name = "motion.vertical",
+                 .meaning = "The vertical component of the shaking: a P wave that comes up beside the SV wave "
+                            "of [motion], a `pulse` or the record in a `file`, of the same kind. Both waves "
+                            "add up; on a shaking table it is the motion along y.",
+                 .keys = record_keys()};
+  append(vertical.keys, way_keys());
+  vertical.keys.back().otherwise = "that of [motion]";
+  return {motion, pulse_table("motion.pulse"), vertical, pulse_table("motion.vertical.pulse")};
 }
 
 std::vector<Table> stage_motion_tables() {
@@ -108,7 +123,12 @@ std::vector<Table> stage_motion_tables() {
                "in a `file`, of the same kind, wave, angle and reference. Its time 0 is the start of the "
                "stage.",
            .keys = record_keys()},
-          pulse_table("stage.motion.pulse")};
+          pulse_table("stage.motion.pulse"),
+          {.name = "stage.motion.vertical",
+           .meaning = "The vertical component of this shaking, as [motion.vertical] of the first one, whose "
+                      "angle and reference it has.",
+           .keys = record_keys()},
+          pulse_table("stage.motion.vertical.pulse")};
 }
 
 } // namespace tremolo::scene

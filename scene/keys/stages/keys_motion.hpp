@@ -6,9 +6,9 @@
 
 namespace tremolo::scene {
 
-/// [motion] and its pulse.
+/// [motion], its pulse, and [motion.vertical].
 std::vector<Table> motion_tables();
-/// [stage.motion] of a shaking after the first one, and its pulse.
+/// [stage.motion] of a shaking after the first one, its pulse, and its vertical component.
 std::vector<Table> stage_motion_tables();
 
 } // namespace tremolo::scene

@@ -2,6 +2,7 @@
 
 #include "motion/record.hpp"
 #include "scene/plan/wave/motion.hpp"
+#include "scene/plan/wave/slowness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +11,13 @@
 
 namespace tremolo::scene {
 
-double delay_to_model(const Case& scene) {
+double delay_to_model(const Case& scene, const MotionInput& wave) {
   if (scene.boundary.has_shaking_table())
     return 0.0;
-  const double speed =
-      scene.motion.wave == Wave::sv ? scene.halfspace.s_wave_speed() : scene.halfspace.p_wave_speed();
-  const double angle = scene.motion.angle_deg * std::numbers::pi / 180.0;
-  const double dx = scene.mesh.box.x_min - scene.motion.reference.x;
-  const double dy = scene.mesh.box.y_min - scene.motion.reference.y;
-  return (dx * std::sin(angle) + dy * std::cos(angle)) / speed;
+  const double angle = wave.angle_deg * std::numbers::pi / 180.0;
+  const double dx = scene.mesh.box.x_min - wave.reference.x;
+  const double dy = scene.mesh.box.y_min - wave.reference.y;
+  return (dx * std::sin(angle) + dy * std::cos(angle)) / incident_speed(scene, wave);
 }
 
 double arrival_of_intensity(const Case& scene, const ShakingMotion& shaking, double share) {
@@ -29,7 +28,7 @@ double arrival_of_intensity(const Case& scene, const ShakingMotion& shaking, dou
     intensity.push_back(sum += a * a);
   const auto reached = std::ranges::lower_bound(intensity, share * sum);
   const double since_start = samples.time(static_cast<std::size_t>(reached - intensity.begin())) +
-                             delay_to_model(scene) - shaking.start;
+                             delay_to_model(scene, scene.motion) - shaking.start;
   return scene.timed[shaking.stage].start + since_start;
 }
 

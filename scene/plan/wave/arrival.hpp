@@ -4,16 +4,16 @@
 
 namespace tremolo::scene {
 
-/// How long after the reference point the incident wave reaches the model, at its lower left corner, s.
-double delay_to_model(const Case& scene);
+/// How long after its reference point an incident wave reaches the model, at its lower left corner, s.
+double delay_to_model(const Case& scene, const MotionInput& wave);
 
-/// When a share (1) of the Arias intensity of a shaking's incident wave has reached the model there, s of the
+/// When a share (1) of the Arias intensity of a shaking of [motion] has reached the model there, s of the
 /// soil's time.
 double arrival_of_intensity(const Case& scene, const ShakingMotion& shaking, double share);
 /// The share with which strong motion is over.
 inline constexpr double strong_motion_over = 0.99;
 
-/// Largest velocity of the incident wave, m/s; of a motion within the ground, which is not known without the
+/// Largest velocity of the incident wave of [motion], m/s; of a motion within the ground, which is not known without the
 /// layers, that of an outcrop of the same motion.
 double incident_peak_velocity(const Case& scene);
 

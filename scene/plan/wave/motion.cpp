@@ -212,4 +212,11 @@ Motion motion(const MotionInput& input) {
   return Motion::sum(std::move(motions));
 }
 
+double highest_frequency(const Case& scene) {
+  double highest = 0.0;
+  for (const MotionInput* wave : scene.plane_waves())
+    highest = std::max(highest, motion(*wave).highest_frequency());
+  return highest;
+}
+
 } // namespace tremolo::scene

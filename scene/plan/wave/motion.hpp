@@ -74,9 +74,12 @@ struct SampledMotion {
 
 SampledMotion sampled(const Motion& motion);
 
-/// The motion of one shaking, and that of all; reads the records.
+/// The motion of one shaking, and that of a plane wave in all of them; reads the records.
 /// @throws motion::RecordError (motion/record.hpp) for a record that cannot be read
 Motion motion(const ShakingMotion& shaking);
 Motion motion(const MotionInput& input);
+
+/// The highest frequency of all plane waves, Hz.
+double highest_frequency(const Case& scene);
 
 } // namespace tremolo::scene

@@ -12,9 +12,9 @@ void motion_is_that_of_the_table(const MotionInput& motion, Findings& findings) 
                  fmt::format("kind = \"{}\" is that of a wave in rock, but a shaking table moves as "
                              "prescribed: its motion is kind = \"within\"",
                              motion::name(motion.kind)));
-  if (motion.angle_deg != 0.0 && findings.sound("motion.angle_deg"))
+  if (const std::string path = motion.path + ".angle_deg"; motion.angle_deg != 0.0 && findings.sound(path))
     findings.add(
-        "motion.angle_deg",
+        path,
         fmt::format("angle_deg = {}, but a shaking table moves along x (wave = \"SV\") or along y (wave = "
                     "\"P\"): leave the angle out",
                     motion.angle_deg));
@@ -39,7 +39,8 @@ void shaking_table_suits_case(const Case& scene, Findings& findings) {
         fmt::format("sides = \"{}\", but a shaking table carries a container or ground that repeats itself: "
                     "use sides = \"container\" or \"periodic\"",
                     name(boundary.sides)));
-  motion_is_that_of_the_table(scene.motion, findings);
+  for (const MotionInput* motion : scene.plane_waves())
+    motion_is_that_of_the_table(*motion, findings);
   if (!scene.structures.empty())
     findings.add("structure",
                  "soil on a shaking table carries no structures: their inertia there was not studied");

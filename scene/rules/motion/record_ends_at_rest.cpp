@@ -7,7 +7,7 @@
 namespace tremolo::scene {
 
 void record_ends_at_rest(const Case& scene, Findings& findings) {
-  for (const auto& [file, path] : scene.motion.records())
+  for (const auto& [file, path] : scene.records())
     if (const auto residual =
             motion::residual_warning(motion::measures(motion::read_record(file->path, file->as))))
       findings.add(path + ".file", fmt::format("{}: {}", file->path.filename().string(), *residual));

@@ -7,7 +7,7 @@
 namespace tremolo::scene {
 
 void record_is_plausible(const Case& scene, Findings& findings) {
-  for (const auto& [file, path] : scene.motion.records()) {
+  for (const auto& [file, path] : scene.records()) {
     motion::Record record = motion::read_record(file->path, file->as);
     for (double& sample : record.samples)
       sample *= file->scale;

@@ -4,7 +4,7 @@
 namespace tremolo::scene {
 
 void record_is_readable(const Case& scene, Findings& findings) {
-  for (const auto& [file, path] : scene.motion.records()) {
+  for (const auto& [file, path] : scene.records()) {
     if (!findings.sound(path + ".file"))
       continue;
     try {

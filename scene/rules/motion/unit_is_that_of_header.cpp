@@ -6,7 +6,7 @@
 namespace tremolo::scene {
 
 void unit_is_that_of_header(const Case& scene, Findings& findings) {
-  for (const auto& [file, path] : scene.motion.records()) {
+  for (const auto& [file, path] : scene.records()) {
     if (!file->as.unit)
       continue;
     const motion::Record record = motion::read_record(file->path, file->as);

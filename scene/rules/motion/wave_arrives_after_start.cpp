@@ -39,27 +39,29 @@ Early early_part(const Motion& wave, double delay) {
   return early;
 }
 
+void check(const ShakingMotion& shaking, double delay, Findings& findings) {
+  const Motion wave = motion(shaking);
+  if (!(wave.begin() + delay < shaking.start))
+    return;
+  const Early early = early_part(wave, delay - shaking.start);
+  if (!(early.share > negligible_velocity))
+    return;
+  findings.add(shaking.path,
+               fmt::format("the wave reaches the model {:.3g} s before {}, up to {:.2g} % of the peak "
+                           "velocity, {}; a later pulse or a deeper [motion] reference avoids it",
+                           early.by,
+                           shaking.stage == 0 ? "the shaking starts and finds it at rest: what came earlier"
+                                              : "its stage begins: what comes earlier",
+                           100.0 * early.share,
+                           shaking.stage == 0 ? "is missing" : "shakes the ground in the stage before"));
+}
+
 } // namespace
 
 void wave_arrives_after_start(const Case& scene, Findings& findings) {
-  const double delay = delay_to_model(scene);
-  for (const ShakingMotion& shaking : scene.motion.shakings) {
-    const Motion wave = motion(shaking);
-    if (!(wave.begin() + delay < shaking.start))
-      continue;
-    const Early early = early_part(wave, delay - shaking.start);
-    if (!(early.share > negligible_velocity))
-      continue;
-    findings.add(
-        shaking.path,
-        fmt::format("the wave reaches the model {:.3g} s before {}, up to {:.2g} % of the peak velocity, "
-                    "{}; a later pulse or a deeper [motion] reference avoids it",
-                    early.by,
-                    shaking.stage == 0 ? "the shaking starts and finds it at rest: what came earlier"
-                                       : "its stage begins: what comes earlier",
-                    100.0 * early.share,
-                    shaking.stage == 0 ? "is missing" : "shakes the ground in the stage before"));
-  }
+  for (const MotionInput* wave : scene.plane_waves())
+    for (const ShakingMotion& shaking : wave->shakings)
+      check(shaking, delay_to_model(scene, *wave), findings);
 }
 
 } // namespace tremolo::scene

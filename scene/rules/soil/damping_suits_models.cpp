@@ -53,7 +53,7 @@ void rayleigh_suits_models(const Case& scene, std::span<const SourceModel> sourc
   if (scene.halfspace_damping > 0.0)
     findings.add("damping.model", "model = \"rayleigh\" is relative to the motion of undamped rock: remove "
                                   "'damping' of [halfspace], or take another model");
-  else if (scene.motion.angle_deg != 0.0)
+  else if (scene.is_oblique())
     findings.add(
         "damping.model",
         fmt::format("model = \"rayleigh\" is known to \"wave\" at vertical incidence only, but [motion] "

@@ -1,6 +1,7 @@
 #include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/domain_soils.hpp"
+#include "scene/soils/viscous_damping.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,7 @@
 namespace tremolo::scene {
 
 void particles_take_all_damping(const Case& scene, Findings& findings) {
-  if (scene.damping.model != DampingModel::rayleigh)
+  if (scene.damping.model != DampingModel::rayleigh || mass_damping(scene, 1.0) > 0.0)
     return;
   const auto& [sides, left, right, base] = scene.boundary;
   const bool domain = domain_is_damped(scene);
@@ -23,8 +24,9 @@ void particles_take_all_damping(const Case& scene, Findings& findings) {
   findings.add(
       "damping.model",
       fmt::format("{} the part of Rayleigh's damping that is proportional to stiffness alone: {:.3g} of "
-                  "its ratio at {} Hz and {:.3g} at {} Hz; model = \"kelvin_voigt\" is the same in "
-                  "domain and columns",
+                  "its ratio at {} Hz and {:.3g} at {} Hz, since the other part is relative to the motion of "
+                  "rock, which a wave beyond its critical angle does not give; model = \"kelvin_voigt\" is "
+                  "the same in domain and columns",
                   domain ? "the domain has" : "the cells of model = \"mpm\" have", f1 / (f1 + f2), f1,
                   f2 / (f1 + f2), f2));
 }

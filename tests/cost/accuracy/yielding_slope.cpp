@@ -107,7 +107,7 @@ public:
       for (const mpm_domain::BoundaryFace& face : faces_)
         if (face.side == side)
           levels.push_back(face.position.y);
-      lines_.emplace(side, Line(wavefield::elastic_field(scene, {}, surface), levels, part,
+      lines_.emplace(side, Line(wavefield::elastic_field(scene, {}, surface).waves().front(), levels, part,
                                 domain.spec.box.x_max, scene.end()));
     };
     line(Side::left, scene.boundary.left.surface, wavefield::Part::total);

@@ -11,6 +11,7 @@
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/service.hpp"
+#include "scene/plan/wave/slowness.hpp"
 #include "wavefield/layers/long_field.hpp"
 #include "wavefield/process/field_from_case.hpp"
 
@@ -47,7 +48,7 @@ void start_wave(const scene::Case& scene, const scene::SourceProcess& source) {
 }
 
 void start_marched(const scene::Case& scene, const scene::SourceProcess& source) {
-  const scene::Service service = scene::service(scene, source, freefield::slowness_from_case(scene));
+  const scene::Service service = scene::service(scene, source, scene::slowness_x(scene, scene.motion));
   const auto column = freefield::column_from_case(scene, source, service.x_line, service.start_time);
   for (int i = 0; i < steps; ++i)
     column->step();

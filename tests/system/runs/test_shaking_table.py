@@ -95,6 +95,22 @@ class ShakingTable(unittest.TestCase):
         self.assertLess(np.abs(np.gradient(velocity, table["time"]) - table["ax"]).max(), 0.02 * np.abs(table["ax"]).max())
         self.assertEqual(0.0, np.abs(table["vy"]).max())
 
+    def test_a_vertical_motion_goes_with_it(self):
+        """The table moves along y too; the bottom goes with it, and so does the ledger."""
+        beside = "[motion.vertical]\npulse = { shape = \"ricker\", frequency = 4.0, time = 0.6, velocity = 0.05 }\n[mesh]"
+        (self.folder / "both.toml").write_text(CASE.replace("[mesh]", beside))
+        done = self.command("run", self.folder / "both.toml", "--out", self.folder / "both")
+        self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+        both = Run(self.folder / "both")
+        table, bottom = both.shaking_table, both.monitor("bottom")
+        a = (np.pi * 4.0 * (table["time"] - 0.6)) ** 2
+        expected = 0.05 * (1.0 - 2.0 * a) * np.exp(-a)
+        np.testing.assert_allclose(table["vx"], self.result.shaking_table["vx"], atol=1e-6 * VELOCITY)
+        self.assertLess(np.abs(table["vy"] - expected).max(), 1e-3 * 0.05)
+        self.assertLess(np.abs(bottom["vy"] - table["vy"]).max(), 0.03 * 0.05)
+        energy = both.energy
+        self.assertLess(np.abs(energy["residual"]).max(), 0.02 * energy["kinetic"].max())
+
     def test_extract_takes_the_table_as_base(self):
         done = self.command("extract", self.folder / "run", "--point", "top", "--base", "shaking table", "--out", self.folder / "tables")
         self.assertEqual(0, done.returncode, done.stderr)

@@ -61,6 +61,30 @@ TEST(FaceExchange, AppliesEquation6ToTheMappedFreeField) {
   EXPECT_DOUBLE_EQ(traction.y, -3.0 * 0.5 - 30.0 + 7.0);
 }
 
+TEST(FaceExchange, AddsFieldsOfWavesWithSlownessesOfTheirOwn) {
+  FieldDescription second = ramp();
+  second.name = "total+vertical";
+  second.slowness_x = 0.1;
+  second.start_time = -1.0;
+  FieldDescription other = ramp();
+  other.name = "incident";
+  ExchangedFace face = left_face(-5.0);
+  face.position.x = 5.0; // half a second behind
+  FaceExchange exchange({{"left", 1, {ramp(), other, second}}}, {left_face(-5.0), face}, 0.0, 3.0);
+  EXPECT_EQ(exchange.find({1, 1}), nullptr);
+  for (const std::uint32_t field : {0u, 2u})
+    for (int n = 0; n < 5; ++n)
+      exchange.find({1, field})
+          ->history.append(
+              std::as_bytes(std::span<const double>(ramp_step((field == 2 ? -1.0 : 0.0) + 0.5 * n))));
+  std::vector<eq6::FreeField> free_field(2);
+  exchange.read(0.75, free_field);
+  EXPECT_DOUBLE_EQ(free_field[0].velocity.x, 0.75 + 0.75);
+  EXPECT_DOUBLE_EQ(free_field[1].velocity.x, 0.75 + 0.25);
+  EXPECT_DOUBLE_EQ(free_field[1].velocity.y, 2.0 * (0.75 + 0.25));
+  EXPECT_DOUBLE_EQ(free_field[1].stress.xy, 60.0);
+}
+
 TEST(FaceExchange, CreditsGrowOnceAndUpToTheFieldsEnd) {
   FaceExchange exchange({{"left", 1, {ramp()}}}, {left_face(-5.0)}, 0.0, 4.0);
   const auto credits = exchange.new_credits();

@@ -3,7 +3,8 @@
 //
 //     v(t) = V exp(-xi w t) (cos w_d t - xi/sqrt(1 - xi^2) sin w_d t),   w = k c,  w_d = w sqrt(1 - xi^2),
 //
-// S and P alike (Chopra 2012, Dynamics of Structures, 4th ed., sec. 2.2 and 11.4).
+// S and P alike (Chopra 2012, Dynamics of Structures, 4th ed., sec. 2.2 and 11.4). With the part in
+// proportion to mass the fraction is Rayleigh's, xi = alpha/(2 w) + beta w/2.
 
 #include "tests/support/box_run.hpp"
 #include "tests/support/no_traction.hpp"
@@ -203,6 +204,84 @@ TEST(ViscousDampingUnderTheMeanDilatation, IsBookedBesideThePlasticWork) {
   EXPECT_LT(history.residual, 0.01);
   EXPECT_NEAR((energy.plastic + energy.viscous + energy.kinetic + energy.elastic) / energy.kinetic_start, 1.0,
               0.02);
+}
+
+/// Both parts together give 5 % at w and at 2 w.
+struct Rayleigh {
+  double alpha, beta;
+  explicit Rayleigh(double w) : alpha(2.0 * 0.05 * 2.0 * w / 3.0), beta(2.0 * 0.05 / (3.0 * w)) {}
+};
+
+Spec rayleigh_strip(const Rayleigh& rayleigh, Transfer transfer = Transfer::apic) {
+  Spec spec = strip(rayleigh.beta, transfer);
+  spec.soils.front().mass_damping = rayleigh.alpha;
+  return spec;
+}
+
+TEST_P(ViscousDamping, OfRayleighHasItsRatioAtTwoFrequencies) {
+  const Rayleigh rayleigh(wave(1).frequency());
+  for (const int half_waves : {1, 2}) {
+    Domain domain(rayleigh_strip(rayleigh, transfer()));
+    const History history = run(domain, wave(half_waves), 3.0);
+    EXPECT_NEAR(damping_ratio(history) / 0.05, 1.0, 0.01) << half_waves;
+    EXPECT_LT(history.residual, 0.01 * half_waves) << half_waves; // it goes with w dt
+    const double lost =
+        1.0 - (history.energy.kinetic + history.energy.elastic) / history.energy.kinetic_start;
+    EXPECT_NEAR(history.energy.viscous / history.energy.kinetic_start, lost, 0.02) << half_waves;
+    EXPECT_EQ(history.energy.input, 0.0);
+  }
+}
+
+TEST(RayleighDampingOnLevels, HasItsRatioAndIsBookedWithSubcycling) {
+  const StandingWave wave{true, 1};
+  Spec spec = rayleigh_strip(Rayleigh(wave.frequency()));
+  spec.refine = {{{0.0, -0.5 * depth, 2.0, 0.0}, 1}};
+  spec.scheme.subcycle = true;
+  Domain domain(spec);
+  const History history = run(domain, wave, 3.0);
+  EXPECT_NEAR(damping_ratio(history) / 0.05, 1.0, 0.01);
+  EXPECT_LT(history.residual, 0.01);
+}
+
+/// Ground at rest over rock that goes away: v = V (1 - exp(-alpha t)). The rock gives m V^2 (1 - exp(-alpha
+/// t)), of which as much is dissipated as the ground has not got.
+TEST(MassDamping, TakesGroundAlongWithTheRock) {
+  constexpr double rock = 0.1; // m/s
+  Spec spec = strip(0.0, Transfer::apic);
+  spec.soils.front().mass_damping = 2.0;
+  spec.rock_motion = [](double, double) { return Vector{rock, 0.5 * rock}; };
+  Domain domain(spec);
+  Stepper stepper(domain, 0.0, test_support::no_traction(domain));
+  while (stepper.time() < 0.8)
+    stepper.step();
+  const double share = 1.0 - std::exp(-2.0 * stepper.velocity_time());
+  const double mass = soil.density * 2.0 * depth;
+  for (const Particles& set : domain.sets)
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      EXPECT_NEAR(set.vx[k], rock * share, 1e-3 * rock);
+      EXPECT_NEAR(set.vy[k], 0.5 * rock * share, 1e-3 * rock);
+    }
+  const double given = mass * 1.25 * rock * rock * share;
+  EXPECT_NEAR(domain.energy.input, given, 2e-3 * given);
+  EXPECT_NEAR(domain.energy.viscous, given - 0.5 * mass * 1.25 * rock * rock * share * share, 2e-3 * given);
+  EXPECT_LT(std::abs(domain.energy.residual()), 1e-9 * given);
+}
+
+/// Ground that moves with the rock is not braked, whatever the rock does.
+TEST(MassDamping, LeavesGroundAloneThatMovesWithTheRock) {
+  Spec spec = strip(0.0, Transfer::apic);
+  spec.soils.front().mass_damping = 5.0;
+  spec.rock_motion = [](double, double) { return Vector{0.1, 0.0}; };
+  Domain domain(spec);
+  for (Particles& set : domain.sets)
+    std::ranges::fill(set.vx, 0.1);
+  Stepper stepper(domain, 0.0, test_support::no_traction(domain));
+  while (stepper.time() < 0.5)
+    stepper.step();
+  for (const Particles& set : domain.sets)
+    for (const double v : set.vx)
+      EXPECT_NEAR(v, 0.1, 1e-12);
+  EXPECT_LT(domain.energy.viscous, 1e-20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Waves, ViscousDamping,

@@ -49,11 +49,12 @@ void slope(Spec& spec) {
                                   {60.0, -25.0}, {40.0, 0.0},    {0.0, 0.0}};
 }
 
-/// Two soils, one upon the other, damped in the two ways.
+/// Two soils, one upon the other, one damped by mechanisms and one as Rayleigh did.
 void layers(Spec& spec) {
   spec.soils.push_back(spec.soils.front());
   spec.soils.back().name = "below";
   spec.soils.back().damping_time = 1e-3;
+  spec.soils.back().mass_damping = 2.0;
   spec.soils.front().relaxation = materials::relaxation({3.0, {}}, 0.05);
   spec.regions = {{0, {{0.0, -17.0}, {100.0, -17.0}, {100.0, 0.0}, {0.0, 0.0}}},
                   {1, {{0.0, -40.0}, {100.0, -40.0}, {100.0, -17.0}, {0.0, -17.0}}}};
