@@ -58,7 +58,8 @@ def histories(site):
 
 
 def spectra(site):
-    """Response spectra of the surface, and what the ground makes of those of the outcrop."""
+    """Response spectra of the surface, of both components where the case has two, and what the ground makes of those of the
+    outcrop."""
     colours = _colours(site)
     panels = 2 if site.has_outcrop else 1
     figure, axes = style.plt.subplots(panels, 1, figsize=(7.6, 3.4 * panels), layout="constrained", squeeze=False)
@@ -66,6 +67,9 @@ def spectra(site):
     for model in site.models.values():
         period, surface = model.spectra["period"], model.spectra["surface"]
         axes[0].plot(period, surface / GRAVITY, color=colours[model.name], label=model.name)
+        if "surface_vertical" in model.spectra:
+            axes[0].plot(period, model.spectra["surface_vertical"] / GRAVITY, color=colours[model.name], linestyle=":",
+                         label=f"{model.name}, vertical")
         if site.has_outcrop:
             axes[1].plot(period, surface / model.spectra["outcrop"], color=colours[model.name], label=model.name)
     period = site.first.spectra["period"]

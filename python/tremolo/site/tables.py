@@ -48,11 +48,14 @@ def measures(site):
 
 
 def spectra(site):
-    """Pseudo-acceleration at 5 % of critical damping."""
+    """Pseudo-acceleration at 5 % of critical damping; of both components where the case has two."""
     first = site.first.spectra
     columns = {"period_s": first["period"]} | ({"outcrop_g": first["outcrop"] / GRAVITY} if site.has_outcrop else {})
-    return columns | {f"{model.name}_g": np.interp(first["period"], model.spectra["period"], model.spectra["surface"]) / GRAVITY
-                      for model in site.models.values()}
+    for model in site.models.values():
+        for column, name in (("surface", f"{model.name}_g"), ("surface_vertical", f"{model.name}_vertical_g")):
+            if column in model.spectra:
+                columns[name] = np.interp(first["period"], model.spectra["period"], model.spectra[column]) / GRAVITY
+    return columns
 
 
 def amplifications(site, ratio):

@@ -88,6 +88,10 @@ class Columns(unittest.TestCase):
             self.assertAlmostEqual(measures["pga"][row], np.abs(surface["ay"]).max(), delta=1e-6 * measures["pga"][row])
             spectra = run.table("/spectra")
             self.assertAlmostEqual(spectra["surface_vertical"][0], measures["pga"][row], delta=0.05 * measures["pga"][row])
+            result = work.command("column", work.case, "--models", "fe,wave", "--out", "site")
+            self.assertEqual(0, result.returncode, result.stderr)
+            names = (work.path / "site" / "tables" / "spectra.csv").read_text().split("\n")[0].split(",")
+            self.assertIn("wave_vertical_g", names)
 
 
 class Domain(unittest.TestCase):

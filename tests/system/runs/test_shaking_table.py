@@ -109,7 +109,7 @@ class ShakingTable(unittest.TestCase):
         self.assertLess(np.abs(table["vy"] - expected).max(), 1e-3 * 0.05)
         self.assertLess(np.abs(bottom["vy"] - table["vy"]).max(), 0.03 * 0.05)
         energy = both.energy
-        self.assertLess(np.abs(energy["residual"]).max(), 0.02 * energy["kinetic"].max())
+        self.assertLess(np.abs(energy["residual"]).max(), 0.02 * np.abs(energy["elastic"]).max())  # 1.8 %, of P alone 1.3 %
 
     def test_extract_takes_the_table_as_base(self):
         done = self.command("extract", self.folder / "run", "--point", "top", "--base", "shaking table", "--out", self.folder / "tables")
