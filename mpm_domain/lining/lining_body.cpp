@@ -19,6 +19,15 @@ Vector difference(const Vector& a, const Vector& b) {
   return {a.x - b.x, a.y - b.y};
 }
 
+/// Mass of a node on the finest cells that the densest soil fills, kg/m.
+double full_mass(const Ground& ground) {
+  double density = 0.0;
+  for (const Particles& set : ground.sets)
+    density = std::max(density, materials::elasticity(set.law).density);
+  const double h = ground.finest_lattice().h;
+  return density * h * h;
+}
+
 SoilMotion after_update(const Grid& grid) {
   return {grid.mass, grid.vx_after, grid.vy_after};
 }
@@ -71,7 +80,7 @@ void LiningBody::take_soils(const Ground& ground) {
 }
 
 void LiningBody::find_segments(const Ground& ground) {
-  rows_ = find_rows(carried_, beam_, ground.finest_lattice(), ground.grid.mass, empty_mass(ground));
+  rows_ = find_rows(carried_, beam_, ground.finest_lattice(), ground.grid.mass, full_mass(ground));
   take_soils(ground);
 }
 

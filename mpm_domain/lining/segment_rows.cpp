@@ -10,14 +10,16 @@ namespace {
 
 /// A point counts while the nodes with soil have this part of its hats.
 constexpr double least_soil = 0.05;
+/// Part of a full node's mass from which a node counts as one of soil.
+constexpr double counted_mass = 0.01;
 
 struct PointShares {
   std::vector<NodeShare> nodes;
-  double sum = 0.0; ///< sum N_I
+  double sum = 0.0; ///< sum c_I N_I
   Vector place;     ///< X'
 };
 
-PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const double> mass, double empty) {
+PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const double> mass, double full) {
   PointShares shares;
   const double x = (at.x - lattice.x0) / lattice.h;
   const double y = (at.y - lattice.y0) / lattice.h;
@@ -25,9 +27,10 @@ PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const 
   const auto j0 = static_cast<int>(std::floor(y));
   for (int j = std::max(j0, 0); j <= std::min(j0 + 1, lattice.ny - 1); ++j)
     for (int i = std::max(i0, 0); i <= std::min(i0 + 1, lattice.nx - 1); ++i) {
-      const double hat = (1.0 - std::abs(x - i)) * (1.0 - std::abs(y - j));
       const std::size_t node = lattice.index(i, j);
-      if (hat <= 0.0 || mass[node] <= empty)
+      const double hat = (1.0 - std::abs(x - i)) * (1.0 - std::abs(y - j)) *
+                         std::min(1.0, mass[node] / (counted_mass * full));
+      if (hat <= 0.0)
         continue;
       shares.nodes.push_back({node, hat});
       shares.sum += hat;
@@ -41,13 +44,13 @@ PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const 
 } // namespace
 
 std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& beam, const Lattice& lattice,
-                                   std::span<const double> mass, double empty) {
+                                   std::span<const double> mass, double full) {
   std::vector<SegmentRows> all;
   for (std::size_t s = 0; s < surface.segments().size(); ++s) {
     const SurfaceSegment& segment = surface.segments()[s];
     std::vector<std::pair<const SurfacePoint*, PointShares>> counted;
     for (const SurfacePoint& point : segment.points)
-      if (PointShares shares = shares_at(place(point, beam), lattice, mass, empty); shares.sum >= least_soil)
+      if (PointShares shares = shares_at(place(point, beam), lattice, mass, full); shares.sum >= least_soil)
         counted.emplace_back(&point, std::move(shares));
     if (counted.empty())
       continue;

@@ -1,13 +1,17 @@
 #pragma once
 
 // What a segment of a lining's surface has in common with the soil's nodes and with the beam. With N_I the
-// bilinear hat of node I at the points X_q of the segment, over the nodes that soil gives mass,
+// bilinear hat of node I at the points X_q of the segment, and a part c_I of it that counts,
 //
-//     B w = mean_q sum_I N_I(X_q) w_I / sum_I N_I(X_q),       H v = mean_q (H v)(X'_q),
+//     B w = mean_q sum_I c_I N_I(X_q) w_I / sum_I c_I N_I(X_q),       H v = mean_q (H v)(X'_q),
 //
-// X'_q = sum N_I x_I / sum N_I being the place at which the soil answers. Where all four nodes of a cell have
-// soil that is X_q. Both sides act at the same place, so that the impulses B^T j on the soil and H^T j on the
-// beam have the same sum and the same moment: momentum and angular momentum are exact.
+//     X'_q = sum c_I N_I x_I / sum c_I N_I,       c_I = min(1, 100 m_I/(rho h^2)),
+//
+// X'_q being the place at which the soil answers. Where all four nodes of a cell have soil that is X_q. Nodes
+// count by their mass while soil barely reaches them: B m^-1 B^T then goes to zero with m_I. With c_I = 1 a
+// node that the smallest motion of soil has given next to no mass would answer for its segment, which would
+// lose its pressure at once. Both sides act at the same place, so that the impulses B^T j on the soil and
+// H^T j on the beam have the same sum and the same moment: momentum and angular momentum are exact.
 //
 // Contact at each node by itself would tie soil to the lining at up to a cell from it, and so make the lining
 // larger than it is; the means over a cell do not.
@@ -39,9 +43,9 @@ struct SegmentRows {
 
 /// The rows of the segments that have soil before them, in their order.
 /// @param mass   of the nodes, kg/m
-/// @param empty  mass that counts as none, kg/m
+/// @param full   mass of a node that soil fills, rho h^2, kg/m
 std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& beam, const Lattice& lattice,
-                                   std::span<const double> mass, double empty);
+                                   std::span<const double> mass, double full);
 
 /// B w.
 Vector soil_velocity(const SegmentRows& rows, std::span<const double> wx, std::span<const double> wy);

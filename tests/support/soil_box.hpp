@@ -28,6 +28,7 @@ struct SoilBox {
   double lame = 0.0;        ///< Pa
   double shear = 0.0;       ///< Pa
 
+  double full = 0.0;                                            ///< mass of a node that soil fills, kg/m
   double empty() const { return 1e-9 * lattice.h * lattice.h; } ///< mass of a node without soil, kg/m
   mpm_domain::Vector place(std::size_t node) const {
     const auto columns = static_cast<std::size_t>(lattice.nx);
@@ -75,6 +76,7 @@ inline SoilBox soil_box(const mpm_domain::Vector& corner, int cells, double h,
   SoilBox box;
   box.lattice = {.h = h, .x0 = corner.x, .y0 = corner.y, .nx = cells + 1, .ny = cells + 1, .first = 0};
   box.mass.assign(box.lattice.count(), 0.0);
+  box.full = density * h * h;
   box.shear = young / (2.0 * (1.0 + poisson));
   box.lame = young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
   const double width = cells * h;

@@ -63,7 +63,7 @@ TEST(LiningSurface, PassesRigidMotionOnExactlyAndMomentsBack) {
   }
   const Lattice lattice{.h = 0.5, .x0 = -5.13, .y0 = -5.21, .nx = 22, .ny = 22, .first = 0};
   const std::vector<double> mass(lattice.count(), 1.0);
-  const std::vector<SegmentRows> rows = find_rows(surface, beam, lattice, mass, 0.0);
+  const std::vector<SegmentRows> rows = find_rows(surface, beam, lattice, mass, 1.0);
   ASSERT_EQ(rows.size(), 40U);
   for (const SegmentRows& of : rows) {
     const Vector velocity = beam_velocity(of, v);
@@ -90,12 +90,39 @@ TEST(LiningSurface, LeavesOutSegmentsWithoutSoil) {
   std::vector<double> mass(lattice.count(), 1.0);
   for (std::size_t node = 0; node < mass.size() / 2; ++node)
     mass[node] = 0.0; // below y = 0
-  const std::vector<SegmentRows> rows = find_rows(surface, beam, lattice, mass, 0.0);
+  const std::vector<SegmentRows> rows = find_rows(surface, beam, lattice, mass, 1.0);
   EXPECT_LT(rows.size(), 24U);
   for (const SegmentRows& of : rows) {
     EXPECT_GT(of.place.y, -0.5);
     for (const NodeShare& of_node : of.soil)
       EXPECT_GT(mass[of_node.node], 0.0);
+  }
+}
+
+TEST(LiningSurface, CountsNodesByTheirMassWhileSoilBarelyReachesThem) {
+  const Lining ring = ring_lining();
+  const Beam beam(shape_of(ring), ring.section);
+  const LiningSurface surface(ring, beam, 0.5);
+  const Lattice lattice{.h = 0.5, .x0 = -5.13, .y0 = -5.21, .nx = 22, .ny = 22, .first = 0};
+  const auto outside = [&](std::size_t node) {
+    return std::hypot(lattice.x0 + static_cast<double>(node % 22) * 0.5,
+                      lattice.y0 + static_cast<double>(node / 22) * 0.5) > 3.15;
+  };
+  std::vector<double> mass(lattice.count(), 0.0);
+  for (std::size_t node = 0; node < mass.size(); ++node)
+    mass[node] = outside(node) ? 1.0 : 0.0;
+  const std::vector<SegmentRows> without = find_rows(surface, beam, lattice, mass, 1.0);
+  std::ranges::replace(mass, 0.0, 1e-9);
+  const std::vector<SegmentRows> with = find_rows(surface, beam, lattice, mass, 1.0);
+  ASSERT_EQ(with.size(), without.size());
+  for (std::size_t k = 0; k < with.size(); ++k) {
+    EXPECT_NEAR(with[k].place.x, without[k].place.x, 1e-6);
+    EXPECT_NEAR(with[k].place.y, without[k].place.y, 1e-6);
+    double answer = 0.0; // of nodes within the ring, to an impulse
+    for (const auto& [node, share] : with[k].soil)
+      if (!outside(node))
+        answer += share * share / mass[node];
+    EXPECT_LT(answer, 0.01); // of that of a node full of soil
   }
 }
 

@@ -223,7 +223,7 @@ TEST_P(RingInShearedGround, TakesThrustAndMomentOfTheExactSolution) {
   // The lattice lies off the centre by shares of a cell that nothing has in common with the ring.
   const SoilBox soil =
       soil_box({-9.13, -8.79}, 36, 0.5, lining.outline, young_of(GetParam().flexibility), poisson, 1900.0);
-  const std::vector<SegmentRows> rows = find_rows(surface, beam, soil.lattice, soil.mass, soil.empty());
+  const std::vector<SegmentRows> rows = find_rows(surface, beam, soil.lattice, soil.mass, soil.full);
   ASSERT_EQ(rows.size(), surface.segments().size());
   StaticSystem system(soil, beam, rows, GetParam().sticks);
   beam.set_velocities(system.solve([&](const Vector& place) { return exact.at(place); }));
