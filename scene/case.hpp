@@ -13,6 +13,7 @@
 #include "scene/geometry.hpp"
 #include "scene/random/random_profile.hpp"
 #include "scene/soils/soil_profile.hpp"
+#include "scene/structure.hpp"
 #include "scene/text/errors.hpp"
 #include "scene/water.hpp"
 
@@ -105,30 +106,6 @@ struct Region {
 
   /// Index of the soil at a level (m) of the region.
   std::size_t soil_at(double y) const { return mpm_domain::soil_at(soil, cuts, y); }
-};
-
-/// A closed line of [[structure]].
-struct Outline {
-  std::string_view key; ///< of its table that gives it, "polygon" or "circle"
-  Polygon corners;
-};
-
-/// What a structure's surface does against a soil.
-struct SoilContact {
-  double friction = 0.0; ///< mu
-  double adhesion = 0.0; ///< Pa
-};
-
-/// [[structure]]: a body that stands in or on the soil.
-struct Structure {
-  std::string name;
-  Outline outline;
-  std::optional<Outline> hole;                    ///< its empty inside
-  double density = 0.0;                           ///< of what lies between both, kg/m3
-  std::optional<mpm_domain::Stiffness> stiffness; ///< of an elastic one; none: rigid
-  double friction = 0.0;                          ///< against other structures; of two the smaller counts
-  std::vector<SoilContact> against;               ///< each of Case::soils
-  std::string path = {};                          ///< of its table in messages, "structure[0]"
 };
 
 /// What stands during some of the stages.
@@ -424,8 +401,9 @@ struct Case {
   std::vector<SoilProfile> soil_profiles; ///< of the soils that are sliced
   std::vector<Region> regions;            ///< those that are there while the ground is shaken
   std::vector<Structure> structures;      ///< likewise
-  double halfspace_damping = 0.0;         ///< ratio, of critical
-  std::vector<Layer> profile; ///< from the surface down; empty: the half-space reaches the surface
+  std::vector<Lining> linings;
+  double halfspace_damping = 0.0; ///< ratio, of critical
+  std::vector<Layer> profile;     ///< from the surface down; empty: the half-space reaches the surface
   std::optional<RandomProfile> random_profile; ///< whose factors `profile` and the soils have
   Damping damping;
   FeNumerics fe;

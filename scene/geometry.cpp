@@ -158,6 +158,13 @@ double area(const Polygon& polygon) {
   return 0.5 * std::abs(twice);
 }
 
+double perimeter(const Polygon& polygon) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += length(minus(edge(polygon, i).b, edge(polygon, i).a));
+  return sum;
+}
+
 void for_pieces(const Polygon& polygon, double level, double longest,
                 const std::function<void(Point from, Point to)>& visit) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -38,6 +38,9 @@ std::vector<Point> points_along(Point from, Point to, double spacing);
 /// Enclosed area, m2.
 double area(const Polygon& polygon);
 
+/// Length of all edges, m.
+double perimeter(const Polygon& polygon);
+
 /// Cuts what the edges of a polygon have below a level (m) into pieces, and visits them from end to end.
 /// @param longest  of a piece, m
 void for_pieces(const Polygon& polygon, double level, double longest,

@@ -42,6 +42,9 @@ public:
   const Beam& beam() const { return beam_; }
   const LiningContact& contact() const { return contact_; }
   const std::vector<SegmentRows>& rows() const { return rows_; }
+  const std::vector<SurfaceSegment>& segments() const { return carried_.segments(); }
+  const std::vector<std::size_t>& hinges() const { return lining_.hinges; }
+  double thickness() const { return lining_.thickness; } ///< m
   /// Corners of the surface now, counter-clockwise, m.
   const std::vector<Vector>& outline() const { return surface_.points(); }
   double fastest_point() const; ///< m/s

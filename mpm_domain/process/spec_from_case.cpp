@@ -2,7 +2,9 @@
 
 #include "scene/plan/boundary/springs.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/lining/beam_outline.hpp"
 #include "scene/plan/stages/stages.hpp"
+#include "scene/plan/structures.hpp"
 #include "scene/soils/viscous_damping.hpp"
 
 #include <algorithm>
@@ -52,6 +54,22 @@ Structure structure_of(const scene::Structure& structure) {
                  .stiffness = structure.stiffness,
                  .friction_between = structure.friction};
   for (const scene::SoilContact& against : structure.against) {
+    copy.friction.push_back(against.friction);
+    copy.adhesion.push_back(against.adhesion);
+  }
+  return copy;
+}
+
+Lining lining_of(const scene::Lining& lining, double cell_size) {
+  const scene::BeamOutline outline = scene::beam_outline(lining, cell_size);
+  Lining copy{.name = lining.name,
+              .outline = corners_of(outline.corners),
+              .thickness = lining.thickness,
+              .section = lining.section,
+              .hinges = outline.hinges,
+              .friction = {},
+              .adhesion = {}};
+  for (const scene::SoilContact& against : lining.against) {
     copy.friction.push_back(against.friction);
     copy.adhesion.push_back(against.adhesion);
   }
@@ -114,6 +132,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   spec.water = water_of(scene.water);
   spec.regions = regions_of(scene.regions);
   spec.structures = structures_of(scene.structures);
+  for (const scene::Lining& lining : scene.linings)
+    spec.linings.push_back(lining_of(lining, scene::contact_cell_size(scene)));
   spec.cut_at_edges = !scene.structures.empty() ||
                       std::ranges::any_of(scene.constructions, [](const scene::ConstructionStage& stage) {
                         return !stage.before.structures.empty();

@@ -89,6 +89,13 @@ inline constexpr std::array<OutputColumn, 10> sliding_mass_columns{{time_column,
                                                                     {"ax", "m/s2"},
                                                                     {"ay", "m/s2"}}};
 
+/// The columns of a lining's beam, once for each element: the node that it begins at, and the forces in its
+/// middle. Their names have its number behind them.
+inline constexpr std::array<OutputColumn, 5> lining_element_columns{
+    {{"x", "m"}, {"y", "m"}, {"n", "N/m"}, {"q", "N/m"}, {"m", "N"}}};
+/// Likewise for each segment of its outer face.
+inline constexpr std::array<OutputColumn, 2> lining_segment_columns{{{"pressure", "Pa"}, {"shear", "Pa"}}};
+
 /// Numbers of a face and a row of /boundary: velocity of the free field and of the domain, traction.
 inline constexpr std::size_t numbers_of_face = 6;
 /// The columns of numbers of a face in /drift, behind the name of its side.

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tremolo import (bodies, column, comparison, cost, deconvolution, drift, failure, figures, histories, motion, outputs,
                      pore_pressure, style, swap, timeline, verification)
-from tremolo.pictures import fronts, maps, mechanism, preview, stages
+from tremolo.pictures import fronts, linings, maps, mechanism, preview, stages
 from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
 from tremolo.report import kinds, page, watch
@@ -68,6 +68,9 @@ def plot(arguments):
         yield wet
     if moved := bodies.histories(run, folder):
         yield moved
+    for name in run.linings:
+        if drawn := linings.picture(run, folder, name, arguments.time):
+            yield drawn
     if drifted := drift.picture(run, folder):
         yield drifted
     for name in run.monitors:

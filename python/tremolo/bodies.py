@@ -5,8 +5,9 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from tremolo import style
+from tremolo.pictures import linings
 
-FILL = dict(facecolor="#A9A9A9", edgecolor="#222222", linewidth=0.8)
+FILL = linings.FILL
 
 # Column of the series without its direction, label.
 FORCES = (("normal", "normal"), ("friction", "friction"), ("water", "excess pore pressure"), ("weight", "weight"))
@@ -21,13 +22,14 @@ def _ring(polygon, clockwise):
 
 
 def draw(ax, run, index):
-    """Fills all structures where they are in a frame, and leaves their holes open."""
+    """Fills all structures and linings where they are in a frame, and leaves their holes open."""
     for name in run.bodies:
         outline, hole = run.body(name).corners(run.times[index])
         rings = [_ring(outline, clockwise=False)]
         if hole is not None:
             rings.append(_ring(hole, clockwise=True))
         ax.add_patch(PathPatch(Path.make_compound_path(*rings), **FILL))
+    linings.draw(ax, run, run.times[index])
 
 
 def _millimetres(values):

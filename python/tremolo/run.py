@@ -9,6 +9,7 @@
     run.monitor("toe")["ax"]              # m/s2 at run.monitor("toe").time
     run.line("shaft").values("gxy")       # [times, points], at run.line("shaft").coordinates
     run.body("tunnel")["water_y"]         # N/m at run.body("tunnel").time
+    run.lining("ring").moment             # [times, elements], N, at run.lining("ring").time
     run.table("profile")["peak_gxy"]      # of a free field alone, at run.table("profile")["y"]
 
 All values are SI units; tension is positive; x points right, y up. `Series` says what one can do with a history.
@@ -23,6 +24,8 @@ import h5py
 import numpy as np
 
 from tremolo import links
+from tremolo.lining import Lining
+from tremolo.series import Series, text
 
 SCHEMA_MAJOR = "1"
 
@@ -31,89 +34,11 @@ class DamagedRun(ValueError):
     """A run file that cannot be read as what it should hold; says which part of which file."""
 
 
-def text(value):
-    """An attribute or a dataset of HDF5 in Python's own types: strings of fixed length arrive as bytes."""
-    if isinstance(value, bytes):
-        return value.rstrip(b"\0").decode("utf-8")
-    if isinstance(value, np.ndarray) and value.dtype.kind == "S":
-        return [text(bytes(item)) for item in value]
-    if isinstance(value, np.generic):
-        return value.item()
-    return value
-
-
 class Fields(dict):
     """The fields of a frame by name."""
 
     def __missing__(self, name):
         raise KeyError(f"no field '{name}'; the frame has {', '.join(self) or 'none'}")
-
-
-class Series:
-    """A history: columns by name, units by column, one row a time.
-
-        toe = run.monitor("toe")
-        toe["ax"]                       # m/s2, at toe["time"] or toe.time
-        toe.units["ax"]                 # "m/s2"
-        dict(toe)                       # all columns
-        toe.between(5.0, 10.0)["ax"]    # a part of it
-        toe.to_frame()                  # as a pandas DataFrame over the time
-
-    The first column is the time (s).
-    """
-
-    def __init__(self, dataset):
-        columns = text(dataset.attrs["columns"])
-        rows = dataset[()]
-        # A writer that died while it flushed may have declared rows whose values never arrived.
-        self._fill(columns, dict(zip(columns, text(dataset.attrs["units"]))), rows[: np.count_nonzero(~np.isnan(rows[:, 0]))])
-
-    def _fill(self, columns, units, rows):
-        self.columns, self.units, self._rows = columns, units, rows
-
-    def keys(self):
-        """Names of the columns."""
-        return list(self.columns)
-
-    def __iter__(self):
-        return iter(self.columns)
-
-    def __getitem__(self, column):
-        if column not in self.columns:
-            raise KeyError(f"no column '{column}'; the series has {', '.join(self.columns)}")
-        return self._rows[:, self.columns.index(column)]
-
-    def __len__(self):
-        return len(self._rows)
-
-    def __repr__(self):
-        span = f", {self.time[0]:g} to {self.time[-1]:g} s" if len(self) else ""
-        return f"<{type(self).__name__}: {len(self)} rows{span}; {', '.join(f'{c} ({self.units[c]})' for c in self.columns)}>"
-
-    @property
-    def time(self):
-        """s, of the rows."""
-        return self._rows[:, 0]
-
-    def between(self, begin, end):
-        """The rows from one time to another (s), both included, as a series."""
-        part = Series.__new__(Series)
-        part._fill(self.columns, self.units, self._rows[(self.time >= begin) & (self.time <= end)])
-        return part
-
-    def to_frame(self):
-        """A pandas DataFrame with the time (s) for its index; its `attrs` hold the units by column.
-
-        Raises ImportError that says what is missing where pandas is not installed.
-        """
-        try:
-            import pandas
-        except ImportError as error:
-            raise ImportError("Series.to_frame() needs pandas, the Debian package python3-pandas; without it dict(series) has the "
-                              "columns as arrays") from error
-        frame = pandas.DataFrame(self._rows[:, 1:], index=pandas.Index(self.time, name=self.columns[0]), columns=self.columns[1:])
-        frame.attrs["units"] = dict(self.units)
-        return frame
 
 
 class LinePoint(Series):
@@ -221,7 +146,7 @@ class Run:
             last["position"][last["equivalent_plastic_strain"] > 0.1]      # m, where soil has failed
             run.nearest_frame(9.3)                                         # the number of a frame by its time (s)
 
-    Names: `monitors`, `lines`, `sliding_masses`, `bodies`. What a run does not have is None, an empty list, or a KeyError that
+    Names: `monitors`, `lines`, `sliding_masses`, `bodies`, `linings`. What a run does not have is None, an empty list, or a KeyError that
     names what there is.
     """
 
@@ -263,7 +188,7 @@ class Run:
 
     def __repr__(self):
         frames = f"{len(self.times)} frames, {self.times[0]:g} to {self.times[-1]:g} s" if len(self.times) else "no frames"
-        named = ((kind, getattr(self, kind)) for kind in ("monitors", "lines", "sliding_masses", "bodies"))
+        named = ((kind, getattr(self, kind)) for kind in ("monitors", "lines", "sliding_masses", "bodies", "linings"))
         held = "".join(f"; {kind.replace('_', ' ')}: {', '.join(names)}" for kind, names in named if names)
         return f"<Run {self.path}: '{self.title}', {self.status}; {frames}{held}>"
 
@@ -397,6 +322,19 @@ class Run:
         with self._reading(f"the body {name}"):
             bent = self._file["outlines"] if "outlines" in self._file else {}
             return Body(self._file["bodies"][name], bent[name] if name in bent else None)
+
+    @property
+    def linings(self):
+        """Names of the linings, in the order of the case."""
+        with self._reading("the linings"):
+            return list(self.attribute("lining_names", []))
+
+    def lining(self, name):
+        """Section forces and places of a lining, and what soil presses on it."""
+        if name not in self.linings:
+            raise KeyError(f"{self.path}: no lining '{name}'; it has {', '.join(self.linings) or 'none'}")
+        with self._reading(f"the lining {name}"):
+            return Lining(self._file["linings"][name])
 
     def contact(self, index):
         """Contact nodes of one frame: name -> array; None where the run has no structures.

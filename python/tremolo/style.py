@@ -47,6 +47,7 @@ def extent(run, indices):
     """(xmin, ymin, xmax, ymax) of the particles and structures of some frames, with a margin, m."""
     points = [run.field(i, "position") for i in indices]
     points += [run.body(name).corners(run.times[i])[0] for name in run.bodies for i in indices]
+    points += [run.lining(name).faces(run.times[i])[0] for name in run.linings for i in indices]
     low = np.min([p.min(axis=0) for p in points], axis=0)
     high = np.max([p.max(axis=0) for p in points], axis=0)
     margin = 0.02 * (high[0] - low[0])

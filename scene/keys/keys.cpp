@@ -97,6 +97,8 @@ std::string type_text(const Key& key) {
     return "array of at least 3 points [[x, y], ...]";
   case Type::line:
     return "array of at least 2 points [[x, y], ...]";
+  case Type::points:
+    return "array of at least 1 point [[x, y], ...]";
   }
   return {};
 }

@@ -26,6 +26,7 @@ enum class Type {
   series,           ///< a number, or an array of at least one
   polygon,          ///< an array of at least three points [x, y]
   line,             ///< an array of at least two of them
+  points,           ///< an array of at least one
 };
 
 /// Allowed values of a number.

@@ -202,8 +202,11 @@ std::vector<Table> model_keys() {
   for (const Table& table : stage_motion_tables())
     tables.push_back(table);
   const auto structures = structure_keys();
+  const auto linings = lining_keys();
   const auto mesh = std::ranges::find(tables, "mesh", &Table::name);
-  tables.insert(mesh, structures.begin(), structures.end());
+  tables.insert(tables.insert(mesh, structures.begin(), structures.end()) +
+                    static_cast<std::ptrdiff_t>(structures.size()),
+                linings.begin(), linings.end());
   return tables;
 }
 

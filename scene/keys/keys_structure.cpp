@@ -19,28 +19,23 @@ Table circle_table(std::string_view name, std::string_view meaning) {
           {.name = "radius", .unit = "m", .meaning = "Its radius.", .required = true, .range = positive}}};
 }
 
-namespace {
-
-Table against_table() {
+Table against_table(std::string_view name, std::string_view meaning) {
   return {
-      .name = "structure.against",
+      .name = name,
       .kind = Kind::array,
-      .meaning = "A soil against which the structure has a friction or an adhesion of its own, as in "
-                 "`against = [{ soil = \"clay\", friction = 0.3, adhesion = 5e3 }]`.",
+      .meaning = meaning,
       .keys = {{.name = "soil", .type = Type::text, .meaning = "Name of a `[soil.NAME]`.", .required = true},
                {.name = "friction",
                 .unit = "1",
                 .meaning = "Coefficient of friction against this soil.",
-                .otherwise = "that of the structure",
+                .otherwise = "that of the whole surface",
                 .range = not_negative},
                {.name = "adhesion",
                 .unit = "Pa",
                 .meaning = "Adhesion to this soil.",
-                .otherwise = "that of the structure",
+                .otherwise = "that of the whole surface",
                 .range = not_negative}}};
 }
-
-} // namespace
 
 std::vector<Table> structure_keys() {
   return {
@@ -98,7 +93,9 @@ std::vector<Table> structure_keys() {
                    "The outline as a circle, `circle = { centre = [x, y], radius = r }` instead "
                    "of `polygon`: a polygon of 64 corners with the same area."),
       circle_table("structure.hole_circle", "The empty inside as a circle, likewise instead of `hole`."),
-      against_table(),
+      against_table("structure.against",
+                    "A soil against which the structure has a friction or an adhesion of its own, as in "
+                    "`against = [{ soil = \"clay\", friction = 0.3, adhesion = 5e3 }]`."),
   };
 }
 

@@ -7,6 +7,12 @@ namespace tremolo::scene {
 /// [[structure]] and what stands below it.
 std::vector<Table> structure_keys();
 
+/// [[lining]] and what stands below it.
+std::vector<Table> lining_keys();
+
+/// Friction and adhesion against a soil.
+Table against_table(std::string_view name, std::string_view meaning);
+
 /// A circle, in place of a polygon.
 Table circle_table(std::string_view name, std::string_view meaning);
 

@@ -178,6 +178,8 @@ ordered_json value_schema(const Key& key) {
     return array_schema(array_schema({{"type", "number"}}, 2, 2), 3);
   case Type::line:
     return array_schema(array_schema({{"type", "number"}}, 2, 2), 2);
+  case Type::points:
+    return array_schema(array_schema({{"type", "number"}}, 2, 2), 1);
   }
   return {};
 }

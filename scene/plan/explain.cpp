@@ -194,6 +194,8 @@ std::string explain(const Case& scene, const Plan& plan) {
     text += "\nWater\n  " + water_text(scene);
   if (!plan.structures.empty())
     text += "\nStructures\n" + structures_text(scene, plan.structures);
+  if (!plan.linings.empty())
+    text += "\nLinings\n" + linings_text(scene, plan.linings, plan.dt);
   text += "\nRemarks\n";
   return text + remarks_text(scene);
 }
@@ -274,6 +276,17 @@ std::string to_json(const Case& scene, const Plan& plan) {
                                   {"buoyancy_N_per_m", structure.buoyancy},
                                   {"contact_nodes", structure.contact_nodes},
                                   {"bytes", structure.bytes}});
+  for (const PlannedLining& lining : plan.linings) {
+    json["linings"].push_back({{"name", lining.name},
+                               {"elements", lining.elements},
+                               {"hinges", lining.hinges},
+                               {"axis_m", lining.axis},
+                               {"mass_kg_per_m", lining.mass},
+                               {"explicit_dt_s", lining.explicit_step}});
+    if (lining.ring)
+      json["linings"].back().update(
+          {{"ovaling_period_s", lining.ring->period}, {"flexibility_ratio", lining.ring->flexibility}});
+  }
   json["particles"] = plan.particles;
   json["cells"] = plan.cells;
   json["critical_dt_s"] = plan.critical_dt;

@@ -162,7 +162,8 @@ std::string sides_text(Sides sides) {
 }
 
 std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProcess>& sources,
-                                 const std::vector<PlannedStructure>& structures) {
+                                 const std::vector<PlannedStructure>& structures,
+                                 const std::vector<PlannedLining>& linings) {
   const bool apic = scene.time.transfer == Transfer::apic;
   const bool deforming = scene.mesh.particle_boxes == ParticleBoxes::deforming;
   const std::string plastic_soils = soils_that_are(scene, materials::Response::plastic);
@@ -258,6 +259,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        seeps ? table_text(*scene.water) : "no [water] line or seepage: one head everywhere",
        seeps ? head_bytes : 0.0, seeps ? seepage_cost_ns : 0.0},
       {"contact", !structures.empty(), contact_text(structures)},
+      {"linings", !linings.empty(), linings_effect_text(linings)},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
@@ -300,7 +302,8 @@ Plan plan(const Case& scene) {
   Plan result;
   result.sources = plan_sources(scene);
   result.structures = plan_structures(scene);
-  result.effects = plan_effects(scene, result.sources, result.structures);
+  result.linings = plan_linings(scene);
+  result.effects = plan_effects(scene, result.sources, result.structures, result.linings);
   result.base = describe_base(scene, result.sources);
   result.levels = levels(scene);
   result.limit = step_limit(scene, result.levels);
@@ -337,6 +340,8 @@ Plan plan(const Case& scene) {
     result.memory_bytes += structure.bytes;
     step_ns += structure.contact_nodes * contact_node_cost_ns;
   }
+  for (const PlannedLining& lining : result.linings)
+    step_ns += lining.segments * lining_segment_cost_ns;
   result.estimated_time = static_cast<double>(result.steps) * step_ns * 1e-9;
   result.frames = most_frames(scene, result.dt);
   result.output_bytes = output_bytes(scene, result);

@@ -96,6 +96,9 @@ std::vector<Polygon> outlines(const Case& scene) {
   for (const Structure& structure : scene.structures)
     if (!structure.outline.corners.empty())
       all.push_back(structure.outline.corners);
+  for (const Lining& lining : scene.linings)
+    if (!lining.outline.corners.empty())
+      all.push_back(lining.outline.corners);
   return all;
 }
 

@@ -24,7 +24,7 @@ struct PlannedStructure {
 /// What contact takes of a node's step on one thread, ns; of the order of magnitude.
 inline constexpr double contact_node_cost_ns = 6000.0;
 
-/// Outlines of all structures that have one.
+/// Outlines of all structures and linings that have one.
 std::vector<Polygon> outlines(const Case& scene);
 
 /// Those of the regions.

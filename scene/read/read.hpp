@@ -43,7 +43,12 @@ void read_structures(Document& document, Findings& findings, Case& scene);
 /// as neither.
 std::optional<Outline> read_outline(const TableReader& table, std::string_view polygon,
                                     std::string_view circle_key, Findings& findings);
-/// Regions, structures and time stepping; after read_free_field.
+/// Friction and adhesion of a surface against each soil: its own, where no table of `against` names the soil.
+std::vector<SoilContact> read_against(const TableReader& table, const std::vector<Soil>& soils,
+                                      Findings& findings);
+/// Linings; after read_soils.
+void read_linings(Document& document, Findings& findings, Case& scene);
+/// Regions, structures, linings and time stepping; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
 /// Which processes run on other machines.
 void read_hosts(Document& document, Case& scene);

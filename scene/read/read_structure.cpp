@@ -21,9 +21,6 @@ std::optional<Outline> read_outline(const TableReader& table, std::string_view p
   return Outline{polygon, table.polygon(polygon)};
 }
 
-namespace {
-
-/// Friction and adhesion against each soil: the structure's own, where no table of `against` names the soil.
 std::vector<SoilContact> read_against(const TableReader& table, const std::vector<Soil>& soils,
                                       Findings& findings) {
   const SoilContact own{table.number("friction"), table.number("adhesion")};
@@ -45,6 +42,8 @@ std::vector<SoilContact> read_against(const TableReader& table, const std::vecto
   }
   return against;
 }
+
+namespace {
 
 /// Nothing for a rigid structure.
 std::optional<mpm_domain::Stiffness> read_stiffness(const TableReader& table, Findings& findings) {

@@ -246,6 +246,8 @@ std::optional<TableReader::Value> TableReader::convert(const Key& key, const tom
     return convert_points(key, node, 3);
   case Type::line:
     return convert_points(key, node, 2);
+  case Type::points:
+    return convert_points(key, node, 1);
   case Type::texts:
     return convert_texts(key, node);
   case Type::choices:

@@ -77,7 +77,7 @@ public:
   /// Of Type::numbers or Type::series.
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;
-  /// The corners of a key of Type::polygon or Type::line.
+  /// The corners of a key of Type::polygon, Type::line or Type::points.
   Polygon polygon(std::string_view key) const;
   /// The texts of a key of Type::texts or Type::choices.
   std::vector<std::string> texts(std::string_view key) const;

@@ -47,6 +47,7 @@ struct Plausible {
 constexpr std::string_view sand_example = "kg/m3 are meant, 1700 for a dry sand";
 constexpr std::string_view built_example =
     "kg/m3 are meant, 2400 for concrete, about 300 for a building with its rooms";
+constexpr std::string_view concrete_example = "kg/m3 are meant, 2400 for concrete";
 constexpr std::array<std::string_view, 2> sands = {"pm4sand", "pdmy03"};
 
 // Peat has waves of some 20 m/s; sound rock has E up to 1e11 Pa and c_p up to 8 km/s. Slurry has some
@@ -57,10 +58,12 @@ constexpr std::array plausible_ranges = std::to_array<Plausible>({
     {"halfspace.density", 500.0, 8000.0, false, "kg/m3", "soil or rock", density_units, sand_example},
     {"profile.density", 500.0, 8000.0, false, "kg/m3", "soil or rock", density_units, sand_example},
     {"structure.density", 10.0, 2e4, false, "kg/m3", "structure", density_units, built_example},
+    {"lining.density", 10.0, 2e4, false, "kg/m3", "lining", density_units, concrete_example},
     {"soil.young", 2e5, 5e11, false, "Pa", "soil or rock", stress_units},
     {"halfspace.young", 2e5, 5e11, false, "Pa", "soil or rock", stress_units},
     {"profile.young", 2e5, 5e11, false, "Pa", "soil or rock", stress_units},
     {"structure.young", 2e5, 5e12, false, "Pa", "structure", stress_units},
+    {"lining.young", 1e7, 5e12, false, "Pa", "lining", stress_units},
     {"soil.vs", 10.0, 6e3, false, "m/s", "soil or rock", speed_units},
     {"halfspace.vs", 10.0, 6e3, false, "m/s", "soil or rock", speed_units},
     {"profile.vs", 10.0, 6e3, false, "m/s", "soil or rock", speed_units},

@@ -231,7 +231,7 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
                      std::span<const std::string> face_sources)
     : scene_(scene), domain_(domain), snapshot_(snapshot),
       writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
-      sliding_masses_(scene, writer_),
+      linings_(domain, writer_), sliding_masses_(scene, writer_),
       lost_hold_(domain, domain.boundary, scene.boundary.base.form != scene::BaseForm::incident,
                  scene.mesh.size) {
   const scene::Box& box = scene.mesh.box;
@@ -354,6 +354,7 @@ void RunOutput::write_history(const Stepper& stepper) {
   }
   sliding_masses_.write_history(snapshot_, stepper);
   bodies_.write_history(stepper);
+  linings_.write_history(stepper);
   write_boundary(stepper);
   writer_.flush_if_large();
 }
@@ -437,9 +438,8 @@ void RunOutput::take_over(const std::filesystem::path& before, const results::Ch
 void RunOutput::take_over_histories(const results::RunReader& before, std::size_t rows, std::size_t frames) {
   const auto append_rows = [&](const std::string& path, results::TimeSeries& series, std::size_t count) {
     const results::SeriesData data = before.series(path);
-    const std::size_t width = data.columns.size();
     for (std::size_t row = 0; row < count; ++row)
-      series.append(std::span(data.values).subspan(row * width, width));
+      series.append(std::span(data.values).subspan(row * data.columns.size(), data.columns.size()));
   };
   const auto append = [&](const std::string& path, results::TimeSeries& series) {
     append_rows(path, series, rows);
@@ -449,10 +449,9 @@ void RunOutput::take_over_histories(const results::RunReader& before, std::size_
     append(std::string(table_path), *table_);
   for (const Followers& followers : followers_)
     append(followers.path, *followers.series);
-  for (const auto& [path, series] : sliding_masses_.series())
-    append(path, *series);
-  for (const auto& [path, series] : bodies_.series())
-    append(path, *series);
+  for (const auto* const part : {&sliding_masses_.series(), &bodies_.series(), &linings_.series()})
+    for (const auto& [path, series] : *part)
+      append(path, *series);
   for (const auto& [path, series] : bodies_.outlines())
     append_rows(path, *series, frames);
   const results::BoundaryHistory boundary = before.boundary();

@@ -3,6 +3,7 @@
 #include "mpm_domain/boundary/drift/lost_hold.hpp"
 #include "mpm_domain/process/output/body_output.hpp"
 #include "mpm_domain/process/output/followed_point.hpp"
+#include "mpm_domain/process/output/lining_output.hpp"
 #include "mpm_domain/process/output/sliding_mass_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
@@ -18,8 +19,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Writes a run's file as the case asks: monitors, lines, sliding masses, energy, particle frames, boundary
-/// exchange, timings.
+/// Writes a run's file as the case asks: monitors, lines, sliding masses, linings, energy, particle frames,
+/// boundary exchange, timings.
 ///
 /// Everything written belongs to the time of the particle velocities, Stepper::time_of_soil(): displacements
 /// are taken back by v dt/2 to it; accelerations lie half a step before it, stresses half a step after.
@@ -85,6 +86,7 @@ private:
   const Snapshot& snapshot_;
   results::RunWriter writer_;
   BodyOutput bodies_;
+  LiningOutput linings_;
   SlidingMassOutput sliding_masses_;
   LostHold lost_hold_;
   results::TimeSeries* energy_ = nullptr;

@@ -41,6 +41,8 @@ def drawn(run):
     labels.keep_free_along([(low[0], tops[0]), low, (high[0], low[1]), (high[0], tops[1])])
     for name in run.bodies:
         labels.keep_free_along(np.vstack([run.body(name).outline, run.body(name).outline[:1]]))
+    for name in run.linings:
+        labels.keep_free_along(np.vstack([run.lining(name).nodes, run.lining(name).nodes[:1]]))
     _water_table(ax, labels, run, low, high)
     _structures(labels, run)
     _sliding_masses(ax, labels, run)
@@ -153,6 +155,8 @@ def _structures(labels, run):
     for name in run.bodies:
         outline = run.body(name).outline
         labels.add(name, 0.5 * (outline.min(axis=0) + outline.max(axis=0)), over=True)
+    for name in run.linings:
+        labels.add(name, run.lining(name).nodes.mean(axis=0), over=True)
 
 
 def _monitors(ax, labels, run):

@@ -172,6 +172,21 @@ def structure(runs, titles, name):
     return Chart(f"structure-{name}", f"{name}: motion and forces", words, figure)
 
 
+def lining(runs, titles, name):
+    """The least and the greatest section forces of a lining over time."""
+    figure = _stacked(["M (kNm/m)", "N (kN/m)", "Q (kN/m)"], 620)
+    for run, title, dash in _of_all(runs, titles):
+        if name not in run.linings or not len(run.lining(name)):
+            continue
+        own = run.lining(name)
+        for row, force in enumerate(("moment", "axial_force", "shear_force"), 1):
+            values = getattr(own, force) / 1e3
+            for text, extreme, colour in (("greatest", values.max(axis=1), 1), ("least", values.min(axis=1), 0)):
+                _add(figure, own.time, extreme, _label(text, title, runs), style.COLOURS[colour], dash, row, shown=row == 1)
+    words = f"The least and the greatest moment, axial and shear force around the lining {name} over time"
+    return Chart(f"lining-{name}", f"{name}: extremes around it", words, figure)
+
+
 def water(runs, titles):
     """r_u and pore pressure at the monitors below the water table; None where there are none."""
     figure = _stacked(["pore pressure ratio r_u (1)", "pore pressure (kPa)"], 520)

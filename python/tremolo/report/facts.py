@@ -42,6 +42,10 @@ def model(run):
     for name in run.bodies:
         body = run.body(name)
         add(f"structure {name}", f"{body.mass:,.4g} kg/m, {body.inertia:,.4g} kg m about its centre of mass")
+    for name in run.linings:
+        lining = run.lining(name)
+        add(f"lining {name}", f"{lining.thickness:g} m thick, EA {lining.axial_stiffness:.4g} N/m, EI {lining.bending_stiffness:.4g} N m, "
+            f"{len(lining.nodes)} elements, {len(lining.hinges)} hinges")
     for name in run.monitors:
         series = run.monitor(name)
         if len(series):

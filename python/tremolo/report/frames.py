@@ -103,13 +103,14 @@ def levels(values, low, high):
 
 
 def _draw_bodies(image, run, time, bounds):
-    """Structures where they are; through their holes one sees the ground."""
+    """Structures and linings where they are; through their holes one sees the ground."""
     ground = image.copy()
     draw = ImageDraw.Draw(image)
     scale = np.array([image.width / (bounds[2] - bounds[0]), -image.height / (bounds[3] - bounds[1])])
     origin = np.array([bounds[0], bounds[3]])
-    for name in run.bodies:
-        outline, hole = (ring if ring is None else [tuple(p) for p in (ring - origin) * scale] for ring in run.body(name).corners(time))
+    rings = [run.body(name).corners(time) for name in run.bodies] + [run.lining(name).faces(time) for name in run.linings]
+    for pair in rings:
+        outline, hole = (ring if ring is None else [tuple(p) for p in (ring - origin) * scale] for ring in pair)
         draw.polygon(outline, fill=BODY, outline=EDGE)
         if hole is not None:
             mask = Image.new("1", image.size)

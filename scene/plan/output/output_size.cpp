@@ -69,13 +69,6 @@ double frame_of_particles(const Case& scene, double particles) {
   return bytes;
 }
 
-double perimeter(const std::vector<Point>& corners) {
-  double length = 0.0;
-  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
-    length += std::hypot(corners[i].x - corners[j].x, corners[i].y - corners[j].y);
-  return length;
-}
-
 /// Nodes at which a body may touch soil: those of the cells that its outline crosses, in rows of three.
 double most_contact_nodes(const Case& scene) {
   double nodes = 0.0;
@@ -91,6 +84,12 @@ double frame_of_contact(const Case& scene) {
   const double values =
       (8.0 * static_cast<double>(mpm_domain::numbers_of_contact_node) + 4.0) * most_contact_nodes(scene);
   return frame_bytes + values + arrays * array_overhead_bytes(values / arrays);
+}
+
+/// Segments of a lining's outer face, at most: they end at corners that turn by more than 20 degrees, of which
+/// a convex outline has fewer than 18.
+std::size_t most_segments(const PlannedLining& lining) {
+  return static_cast<std::size_t>(lining.segments) + 18;
 }
 
 /// Points of a polygon whose edges are cut into pieces of a length at most.
@@ -133,6 +132,9 @@ double histories(const Case& scene, const Plan& plan) {
     bytes += table(1 + point * points_along(line.from, line.to, line.spacing).size());
   bytes += static_cast<double>(scene.sliding_masses.size()) * table(mpm_domain::sliding_mass_columns.size());
   bytes += static_cast<double>(scene.structures.size()) * table(mpm_domain::body_columns.size());
+  for (const PlannedLining& lining : plan.linings)
+    bytes += table(1 + lining.elements * mpm_domain::lining_element_columns.size() +
+                   most_segments(lining) * mpm_domain::lining_segment_columns.size());
   const std::size_t faces = most_faces(scene);
   const std::size_t vectors = mpm_domain::numbers_of_face / 2;
   bytes +=

@@ -283,6 +283,14 @@ void slice_layers(Case& scene, const Sliced& by) {
   scene.profile = sliced(scene.profile, scene.surface_level, by, scene.random_profile);
 }
 
+/// All slices of a soil meet a surface as the soil does.
+std::vector<SoilContact> against_slices(const std::vector<SoilContact>& soils, const Sliced& by) {
+  std::vector<SoilContact> against;
+  for (std::size_t s = 0; s < soils.size(); ++s)
+    against.insert(against.end(), by.profiles.contains(s) ? by.profiles.at(s).slices() : 1, soils[s]);
+  return against;
+}
+
 void put_in_place(Case& scene, Sliced by) {
   slice_layers(scene, by);
   for (Region& region : scene.regions) {
@@ -290,13 +298,10 @@ void put_in_place(Case& scene, Sliced by) {
       region.cuts = cuts_of(profile->second);
     region.soil = by.first[region.soil];
   }
-  for (Structure& structure : scene.structures) {
-    std::vector<SoilContact> against;
-    for (std::size_t s = 0; s < structure.against.size(); ++s)
-      against.insert(against.end(), by.profiles.contains(s) ? by.profiles.at(s).slices() : 1,
-                     structure.against[s]);
-    structure.against = std::move(against);
-  }
+  for (Structure& structure : scene.structures)
+    structure.against = against_slices(structure.against, by);
+  for (Lining& lining : scene.linings)
+    lining.against = against_slices(lining.against, by);
   scene.soils = std::move(by.soils);
   for (auto& [soil, profile] : by.profiles)
     scene.soil_profiles.push_back(std::move(profile));

@@ -52,6 +52,12 @@ void lines_lie_in_soil(const Case& scene, Findings& findings) {
                                  structure->name, point.x, point.y));
         break;
       }
+      if (const Lining* lining = lining_around(scene, point); lining != nullptr) {
+        findings.add(path("from"),
+                     fmt::format("the line crosses lining '{}' at [{:.6g}, {:.6g}], where no soil is",
+                                 lining->name, point.x, point.y));
+        break;
+      }
       if (!in_soil(scene, point)) {
         findings.add(path("from"),
                      fmt::format("the line leaves the soil: its point [{:.6g}, {:.6g}] lies in no region",

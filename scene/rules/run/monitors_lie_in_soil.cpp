@@ -28,6 +28,9 @@ void monitors_lie_in_soil(const Case& scene, Findings& findings) {
       findings.add(path, fmt::format("'point' [{1}, {2}] lies in structure '{0}', where no soil is; with "
                                      "structure = \"{0}\" the monitor moves with it",
                                      structure->name, point.x, point.y));
+    else if (const Lining* lining = lining_around(scene, point))
+      findings.add(path, fmt::format("'point' [{}, {}] lies in lining '{}', where no soil is", point.x,
+                                     point.y, lining->name));
   }
 }
 

@@ -17,4 +17,11 @@ const Structure* structure_around(const Case& scene, Point p) {
   return found == scene.structures.end() ? nullptr : &*found;
 }
 
+const Lining* lining_around(const Case& scene, Point p) {
+  const auto found = std::ranges::find_if(scene.linings, [p](const Lining& lining) {
+    return !lining.outline.corners.empty() && strictly_inside(lining.outline.corners, p);
+  });
+  return found == scene.linings.end() ? nullptr : &*found;
+}
+
 } // namespace tremolo::scene

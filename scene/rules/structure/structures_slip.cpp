@@ -23,6 +23,9 @@ void structures_slip(const Case& scene, Findings& findings) {
       if (against.friction != structure.friction)
         check(path + ".against", against.friction);
   }
+  for (const Lining& lining : scene.linings)
+    for (const SoilContact& against : lining.against)
+      check(lining.path + ".friction", against.friction);
 }
 
 } // namespace tremolo::scene

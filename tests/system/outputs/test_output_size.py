@@ -12,7 +12,7 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python")] + [str(Path(__file__).parents[1] / folder) for folder in ("runs", "structures")]
 
 from small_case import SLOPE_BOXES, SlopeWorkspace, Workspace, refine
-from structure_cases import BlockWorkspace, TunnelWorkspace
+from structure_cases import BlockWorkspace, LinedWorkspace, TunnelWorkspace
 
 EVERY_FIELD = '["displacement", "velocity", "acceleration", "stress", "state"]'
 
@@ -54,6 +54,10 @@ class OutputSize(unittest.TestCase):
         for kind in ("rigid = true", "young = 500e6\npoisson = 0.2"):
             with self.subTest(kind), BlockWorkspace(TREMOLO, kind=kind) as work:
                 self.expect_bound(changed(work, ("every_s = 0.1\n", "every_s = 0.01\n")), 0.3)
+
+    def test_of_linings(self):
+        with LinedWorkspace(TREMOLO) as work:
+            self.expect_bound(work, 0.3)
 
     def test_of_pore_water(self):
         fields = 'fields = ["displacement", "pore_pressure", "excess_pore_pressure", "darcy_velocity"]\n'

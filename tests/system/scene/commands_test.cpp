@@ -71,7 +71,8 @@ TEST(Commands, WithoutArgumentsTheFiveCommandsOfANewcomerAreShown) {
 TEST(Commands, NewWritesCasesThatPassTheCheckAndOverwritesNothing) {
   const auto folder = scratch("new_cases");
   std::filesystem::create_directories(folder);
-  for (const char* kind : {"slope", "box", "level_ground", "tunnel", "buildings", "levee", "column"}) {
+  for (const char* kind :
+       {"slope", "box", "level_ground", "tunnel", "buildings", "levee", "column", "lining"}) {
     const auto made = folder / kind;
     EXPECT_EQ(run_tremolo("new " + made.string() + " --like " + kind).status, 0) << kind;
     EXPECT_EQ(run_tremolo("check " + (made / "case.toml").string()).status, 0) << kind;

@@ -1,4 +1,4 @@
-"""Small cases with a structure: a block on flat ground, and a light tunnel below a water table."""
+"""Small cases with a structure: a block on flat ground, a light tunnel below a water table, and a lining with hinges in dry ground."""
 
 import sys
 from pathlib import Path
@@ -8,7 +8,7 @@ sys.path[:0] = [str(Path(__file__).parents[1] / "resume")]
 from broken_run import checkpoints, differences, killed, resumed, whole_run, with_checkpoints
 from small_case import Workspace
 
-__all__ = ["BlockWorkspace", "TunnelWorkspace", "checkpoints", "differences", "killed", "resumed", "whole_run", "with_checkpoints"]
+__all__ = ["BlockWorkspace", "LinedWorkspace", "TunnelWorkspace", "checkpoints", "differences", "killed", "resumed", "whole_run", "with_checkpoints"]
 
 STAGES = """
 [[stage]]
@@ -152,3 +152,64 @@ class TunnelWorkspace(Workspace):
     """A tunnel of 5 m across that weighs less than the water that it displaces."""
 
     template, defaults = TUNNEL, {"drainage": "undrained", "duration": 2.0}
+
+
+LINED = """
+title = "lined"
+
+[motion]
+pulse = {{ shape = "ricker", frequency = 3.0, time = 0.5, velocity = 0.05 }}
+wave = "SV"
+angle_deg = 0.0
+reference = [0.0, -12.0]
+
+[surface]
+level = 0.0
+
+[halfspace]
+density = 1900.0
+vs = 250.0
+vp = 467.7
+
+[soil.ground]
+model = "linear_elastic"
+density = 1900.0
+vs = 250.0
+poisson = 0.3
+
+[[region]]
+soil = "ground"
+polygon = [[-9.0, -12.0], [9.0, -12.0], [9.0, 0.0], [-9.0, 0.0]]
+
+[[lining]]
+name = "ring"
+circle = {{ centre = [0.3, -6.1], radius = 2.6 }}
+thickness = 0.25
+young = 30e9
+poisson = 0.2
+density = 2500.0
+friction = 0.6
+hinges = [[0.3, -3.5], [2.9, -6.1], [-2.3, -6.1]]
+
+[mesh]
+size = 1.0
+box = [-9.0, -12.0, 9.0, 0.0]
+
+[boundary]
+sides = "periodic"
+base = {{ model = "wave" }}
+""" + STAGES + """
+[[monitor]]
+name = "surface"
+point = [0.0, 0.0]
+
+[output]
+every_s = 0.2
+history_every_s = 0.005
+"""
+
+
+class LinedWorkspace(Workspace):
+    """A ring of 2.6 m with three hinges, its axis 6.1 m deep."""
+
+    template, defaults = LINED, {"duration": 1.0}

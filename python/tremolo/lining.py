@@ -1,0 +1,98 @@
+"""Linings: closed beams with their section forces."""
+
+import numpy as np
+
+from tremolo.series import Series
+
+FORCES = {"axial_force": "n", "shear_force": "q", "moment": "m"}
+
+
+class Lining(Series):
+    """What became of a [[lining]]: section forces in the middle of each element, places of the nodes, stresses on its outer face.
+
+        ring = run.lining("ring")
+        ring.moment                        # [times, elements], N m per m of tunnel, at ring.time; positive: stretches the outer face
+        ring.axial_force                   # N/m, tension positive
+        ring.shear_force                   # N/m
+        ring.places                        # [times, nodes, 2], m, of its axis; element k begins at node k
+        ring.pressure, ring.shear          # [times, segments], Pa, of the soil on its outer face, in front of ring.segments
+        ring.envelope("moment")            # the least and the greatest moment of each element over all times
+        ring.moment[ring.nearest(4.2)]     # those next to 4.2 s
+
+    Nodes, elements and segments run counter-clockwise. The attributes: `nodes` [nodes, 2] and `segments` [segments, 2], middles of the
+    segments, at the start (m); `thickness` (m), `axial_stiffness`, `shear_stiffness` (N/m), `bending_stiffness` (N m), `mass` (kg/m2);
+    `hinges`, numbers of nodes.
+    """
+
+    def __init__(self, dataset):
+        super().__init__(dataset)
+        self.nodes = np.reshape(dataset.attrs["nodes"], (-1, 2))
+        self.segments = np.reshape(dataset.attrs["segments"], (-1, 2))
+        for name in ("thickness", "axial_stiffness", "shear_stiffness", "bending_stiffness", "mass"):
+            setattr(self, name, float(dataset.attrs[name]))
+        self.hinges = [int(node) for node in dataset.attrs["hinges"]] if "hinges" in dataset.attrs else []
+
+    def __repr__(self):
+        span = f", {self.time[0]:g} to {self.time[-1]:g} s" if len(self) else ""
+        return f"<Lining: {len(self)} rows{span}; {len(self.nodes)} elements, {len(self.segments)} segments>"
+
+    def _numbered(self, column):
+        """The columns of a name with the numbers 0, 1, ... behind it."""
+        return self._rows[:, [i for i, name in enumerate(self.columns) if name.rstrip("0123456789") == column]]
+
+    @property
+    def axial_force(self):
+        """N/m, tension positive."""
+        return self._numbered("n")
+
+    @property
+    def shear_force(self):
+        """N/m."""
+        return self._numbered("q")
+
+    @property
+    def moment(self):
+        """N m per m of tunnel; positive where it stretches the outer face."""
+        return self._numbered("m")
+
+    @property
+    def pressure(self):
+        """Pa, of the soil on the outer face."""
+        return self._numbered("pressure")
+
+    @property
+    def shear(self):
+        """Pa, of the soil along the outer face, counter-clockwise on the lining."""
+        return self._numbered("shear")
+
+    @property
+    def places(self):
+        """m, of the nodes."""
+        return np.stack([self._numbered("x"), self._numbered("y")], axis=-1)
+
+    def nearest(self, time):
+        """The row next to a time (s)."""
+        return int(np.argmin(np.abs(self.time - time)))
+
+    def envelope(self, force):
+        """The least and the greatest value of each element over all times: of "axial_force", "shear_force" or "moment"."""
+        if force not in FORCES:
+            raise KeyError(f"no section force '{force}'; there are {', '.join(FORCES)}")
+        values = getattr(self, force)
+        return values.min(axis=0), values.max(axis=0)
+
+    def axis(self, time):
+        """Places of the nodes at a time (s), m."""
+        if len(self) == 0:
+            return self.nodes
+        places = self.places
+        return np.stack([[np.interp(time, self.time, places[:, k, c]) for c in (0, 1)] for k in range(places.shape[1])])
+
+    def faces(self, time):
+        """Outer and inner face at a time (s), m: corners in front of and behind the nodes."""
+        axis = self.axis(time)
+        before, behind = axis - np.roll(axis, 1, axis=0), np.roll(axis, -1, axis=0) - axis
+        outward = [np.column_stack([along[:, 1], -along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None] for along in (before, behind)]
+        # The lines of both faces at half the thickness meet there.
+        away = (outward[0] + outward[1]) / (1.0 + np.sum(outward[0] * outward[1], axis=1))[:, None]
+        return axis + 0.5 * self.thickness * away, axis - 0.5 * self.thickness * away

@@ -1,0 +1,51 @@
+#pragma once
+
+// Structures and linings of a case.
+
+#include "mpm_domain/spec/lining.hpp"
+#include "mpm_domain/spec/structure.hpp"
+#include "scene/geometry.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tremolo::scene {
+
+/// A closed line of [[structure]] and [[lining]].
+struct Outline {
+  std::string_view key; ///< of its table that gives it, "polygon" or "circle"
+  Polygon corners;
+};
+
+/// What a structure's surface does against a soil.
+struct SoilContact {
+  double friction = 0.0; ///< mu
+  double adhesion = 0.0; ///< Pa
+};
+
+/// [[structure]]: a body that stands in or on the soil.
+struct Structure {
+  std::string name;
+  Outline outline;
+  std::optional<Outline> hole;                    ///< its empty inside
+  double density = 0.0;                           ///< of what lies between both, kg/m3
+  std::optional<mpm_domain::Stiffness> stiffness; ///< of an elastic one; none: rigid
+  double friction = 0.0;                          ///< against other structures; of two the smaller counts
+  std::vector<SoilContact> against;               ///< each of Case::soils
+  std::string path = {};                          ///< of its table in messages, "structure[0]"
+};
+
+/// [[lining]]: a closed beam that keeps a cavity in the soil open.
+struct Lining {
+  std::string name;
+  Outline outline;                  ///< that the soil touches
+  double thickness = 0.0;           ///< m
+  mpm_domain::BeamSection section;  ///< per metre out of plane
+  std::vector<Point> hinges;        ///< about where; plan/lining/beam_outline.hpp has the corners
+  std::vector<SoilContact> against; ///< each of Case::soils
+  std::string path = {};            ///< of its table in messages, "lining[0]"
+};
+
+} // namespace tremolo::scene

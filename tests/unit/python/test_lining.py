@@ -1,0 +1,111 @@
+"""Linings as arrays, in maps, as diagrams and in the report."""
+
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import synthetic_lining as ring
+import synthetic_run
+from test_pictures import run_command
+from tremolo import Run, bodies, style
+from tremolo.pictures import linings
+
+
+class Lining(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = Path(cls.folder.name) / "run.h5"
+        synthetic_run.write(cls.path, frames=4, size=4.0)
+        ring.add(cls.path, 2.0)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.run = Run(self.path)
+        self.addCleanup(self.run.close)
+        self.lining = self.run.lining("ring")
+
+    def test_has_its_section_forces(self):
+        self.assertEqual(["ring"], self.run.linings)
+        self.assertIn("linings: ring", repr(self.run))
+        self.assertEqual((400, ring.COUNT), self.lining.moment.shape)
+        row = self.lining.nearest(1.0)
+        np.testing.assert_allclose(self.lining.moment[row], ring.MOMENT * np.sin(1.0) * np.sin(2.0 * ring.middle_angles()))
+        np.testing.assert_allclose(self.lining.axial_force, ring.THRUST)
+        np.testing.assert_allclose(self.lining.shear_force, 0.1 * self.lining.moment)
+        self.assertEqual((400, ring.SEGMENTS), self.lining.pressure.shape)
+        np.testing.assert_allclose(self.lining.shear, 0.1 * ring.PRESSURE)
+        least, greatest = self.lining.envelope("moment")
+        np.testing.assert_allclose(greatest - least, ring.MOMENT * np.abs(np.sin(2.0 * ring.middle_angles())), rtol=1e-3)
+        self.assertEqual((0.3, 7e7, ring.HINGES), (self.lining.thickness, self.lining.bending_stiffness, self.lining.hinges))
+
+    def test_refuses_what_is_not_there(self):
+        with self.assertRaisesRegex(KeyError, "no lining 'tube'; it has ring"):
+            self.run.lining("tube")
+        with self.assertRaisesRegex(KeyError, "no section force 'bending'; there are axial_force, shear_force, moment"):
+            self.lining.envelope("bending")
+
+    def test_has_faces_where_it_is(self):
+        outer, inner = self.lining.faces(0.5)
+        centre = ring.CENTRE + [ring.DRIFT * 0.5, 0.0]
+        flat = ring.RADIUS * np.cos(np.pi / ring.COUNT)  # of the polygon's edges
+        corner = 1.0 / np.cos(np.pi / ring.COUNT)
+        np.testing.assert_allclose(np.linalg.norm(outer - centre, axis=1), corner * (flat + 0.15))
+        np.testing.assert_allclose(np.linalg.norm(inner - centre, axis=1), corner * (flat - 0.15))
+
+    def test_is_drawn_as_a_ring_that_is_open_within(self):
+        figure, ax = style.plt.subplots()
+        bodies.draw(ax, self.run, 0)
+        outer, inner = ax.patches[0].get_path().to_polygons(closed_only=True)
+
+        def area(polygon):
+            x, y = polygon.T
+            return 0.5 * np.sum(x[:-1] * y[1:] - x[1:] * y[:-1])
+
+        style.plt.close(figure)
+        self.assertAlmostEqual(np.pi * 3.15**2, area(outer), delta=0.3)
+        self.assertAlmostEqual(-np.pi * 2.85**2, area(inner), delta=0.3)
+
+    def test_diagrams_stand_on_the_side_that_moments_stretch(self):
+        figure = linings.diagrams(self.lining, "ring", [1.5])
+        self.addCleanup(style.plt.close, figure)
+        moment, thrust, _ = figure.axes[:3]
+        drawn = next(line for line in moment.get_lines() if line.get_label().startswith("t = 1.5")).get_xydata()[:-1]
+        away = np.linalg.norm(drawn - ring.CENTRE, axis=1) - ring.RADIUS * np.cos(np.pi / ring.COUNT)
+        row = self.lining.moment[self.lining.nearest(1.5)]
+        self.assertTrue(np.all(np.sign(away) == np.sign(row)))
+        np.testing.assert_allclose(away / row, away[0] / row[0])
+        thrust_line = next(line for line in thrust.get_lines() if line.get_label().startswith("t = 1.5")).get_xydata()
+        self.assertTrue(np.all(np.linalg.norm(thrust_line - ring.CENTRE, axis=1) > ring.RADIUS))  # compression
+        self.assertIn("-19.62 to 19.62 kNm/m", moment.get_title(loc="left").replace("−", "-"))
+
+    def test_is_in_plot_and_report(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, paths, error = run_command("plot", self.path, "--out", folder)
+            self.assertEqual((0, ""), (status, error))
+            self.assertIn(str(Path(folder) / "lining_ring.png"), [str(path) for path in paths])
+            try:
+                import plotly  # noqa: F401
+            except ImportError:
+                self.skipTest("python3-plotly is missing (scripts/setup.sh installs it)")
+            copy = Path(folder) / "run.h5"
+            shutil.copy(self.path, copy)
+            with h5py.File(copy, "a") as file:
+                del file["energy"]  # the synthetic ledger has no residual
+            status, _, error = run_command("report", copy, "--out", Path(folder) / "report.html")
+            self.assertEqual((0, ""), (status, error))
+            text = (Path(folder) / "report.html").read_text(encoding="utf-8")
+        self.assertIn('<section id="linings">', text)
+        self.assertIn("ring: extremes around it", text)
+        self.assertIn("lining ring", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
