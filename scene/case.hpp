@@ -394,9 +394,9 @@ struct Case {
 
   MotionInput motion;
   std::optional<MotionInput> vertical; ///< the P wave of [motion.vertical], which adds to an SV wave
-  double surface_level = 0.0;       ///< y of the free field's surface, m; none above a shaking table
-  materials::Elasticity halfspace;  ///< none below a shaking table
-  std::optional<GroundWater> water; ///< while the ground is shaken
+  double surface_level = 0.0;          ///< y of the free field's surface, m; none above a shaking table
+  materials::Elasticity halfspace;     ///< none below a shaking table
+  std::optional<GroundWater> water;    ///< while the ground is shaken
   std::vector<Soil> soils; ///< the slices of a soil stand one behind the other, and all have its name
   std::vector<SoilProfile> soil_profiles; ///< of the soils that are sliced
   std::vector<Region> regions;            ///< those that are there while the ground is shaken

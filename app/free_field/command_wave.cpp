@@ -53,9 +53,10 @@ void print_wrap_around(const wavefield::Superposition& field, std::span<const wa
                        const wavefield::TimeGrid& times) {
   for (const wavefield::LayeredField& wave : field.waves()) {
     const wavefield::WrapAroundError error = wave.wrap_around_error(points, times);
-    fmt::print("window of {:.4g} s; doubled, it changes displacement by {:.1e}, velocity by {:.1e}, stress by "
-               "{:.1e} of their peaks\n",
-               error.window, error.displacement, error.velocity, error.stress);
+    fmt::print(
+        "window of {:.4g} s; doubled, it changes displacement by {:.1e}, velocity by {:.1e}, stress by "
+        "{:.1e} of their peaks\n",
+        error.window, error.displacement, error.velocity, error.stress);
   }
 }
 
@@ -129,12 +130,13 @@ void add_wave(Command& app) {
   points->needs(times);
   times->needs(points);
   command
-      ->add_option(
-          "--out", options->out,
-          "Written: t,x,y,ux,uy,vx,vy,sxx,syy,sxy in SI units, point by point; stresses are the "
-          "dynamic part, tension positive. With --transfer: complex amplitudes under the wave of [motion], time kernel "
-          "exp(+i omega t), of surface and top of the half-space per unit incident displacement there, and of the surface "
-          "over outcrop and within motion (horizontal for SV, vertical for P)")
+      ->add_option("--out", options->out,
+                   "Written: t,x,y,ux,uy,vx,vy,sxx,syy,sxy in SI units, point by point; stresses are the "
+                   "dynamic part, tension positive. With --transfer: complex amplitudes under the wave of "
+                   "[motion], time kernel "
+                   "exp(+i omega t), of surface and top of the half-space per unit incident displacement "
+                   "there, and of the surface "
+                   "over outcrop and within motion (horizontal for SV, vertical for P)")
       ->required();
   auto* transfer =
       command->add_flag("--transfer", options->transfer, "Transfer functions instead of histories");

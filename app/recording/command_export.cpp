@@ -165,9 +165,10 @@ void add_export(Command& app) {
           "lockstep, tx,ty")
       ->required();
   command
-      ->add_option("--field", options->field,
-                   "total or incident (default: the one that the side takes), with +vertical that of the P wave "
-                   "beside it")
+      ->add_option(
+          "--field", options->field,
+          "total or incident (default: the one that the side takes), with +vertical that of the P wave "
+          "beside it")
       ->one_of({"total", "incident", "total+vertical", "incident+vertical"});
   command->callback([options] { run(*options); });
 }

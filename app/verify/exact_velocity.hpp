@@ -13,9 +13,9 @@ inline constexpr double samples_per_period = 32.0;
 /// The exact particle velocity at any point of a box and any time of a run, cheaply.
 ///
 /// At each of the given levels the history v(t) at x_min is computed once; elsewhere on the level it is
-/// v(t - p (x - x_min)), p the horizontal slowness of each plane wave, and between its samples the cubic Hermite interpolant of
-/// values and rates, which errs by (omega dt)^4 / 384: with 32 samples per period of the highest frequency,
-/// 5e-8 at a third of it, where motions end in practice.
+/// v(t - p (x - x_min)), p the horizontal slowness of each plane wave, and between its samples the cubic
+/// Hermite interpolant of values and rates, which errs by (omega dt)^4 / 384: with 32 samples per period of
+/// the highest frequency, 5e-8 at a third of it, where motions end in practice.
 class ExactVelocity {
 public:
   struct Value {

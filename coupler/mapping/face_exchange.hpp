@@ -1,8 +1,8 @@
 #pragma once
 
 // The free field at all faces of the domain at one time: the histories of the fields they take, and their
-// maps. A face takes the sum of its source's fields, of which each plane wave has one. The hub uses one in mode lockstep, the domain in mode window; one implementation, so the modes cannot
-// differ.
+// maps. A face takes the sum of its source's fields, of which each plane wave has one. The hub uses one in
+// mode lockstep, the domain in mode window; one implementation, so the modes cannot differ.
 
 #include "coupler/mapping/mapping.hpp"
 #include "coupler/wire/field.hpp"

@@ -18,8 +18,8 @@ namespace tremolo::mpm_domain {
 PeriodicColumnSpec periodic_column_spec(const scene::Case& scene, const scene::SourceProcess& source,
                                         double x_line);
 
-/// v_ref for the particles of the whole domain: of the ground at its left side, or at its base where the sides
-/// are no free fields. On a shaking table, from which the domain is seen, it is zero.
+/// v_ref for the particles of the whole domain: of the ground at its left side, or at its base where the
+/// sides are no free fields. On a shaking table, from which the domain is seen, it is zero.
 /// @throws motion::RecordError for an unreadable motion
 std::function<Vector(double x, double time)> rock_motion(const scene::Case& scene, const scene::Plan& plan);
 

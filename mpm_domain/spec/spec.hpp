@@ -30,7 +30,7 @@ struct Soil {
   /// The pores of soil that may lie below a water table. The density of its law is then the saturated one.
   std::optional<materials::PoreSpace> pores = {};
   materials::Relaxation relaxation = {}; ///< mechanisms of constant damping, in the place of damping_time
-  double mass_damping = 0.0; ///< alpha, 1/s, on velocities relative to Spec::rock_motion; 0: none
+  double mass_damping = 0.0;             ///< alpha, 1/s, on velocities relative to Spec::rock_motion; 0: none
 };
 
 /// Levels of the water at both sides of a model: of the table in the ground there, or of free water over it,

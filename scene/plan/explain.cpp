@@ -161,7 +161,8 @@ std::string soils_text(const Case& scene) {
 std::string explain(const Case& scene, const Plan& plan) {
   std::string text = fmt::format("{}\n", scene.title);
   for (const MotionInput* wave : scene.plane_waves())
-    text += fmt::format("  {}     {}\n", wave == &scene.motion ? "motion" : "  and ", motion_text(scene, *wave));
+    text +=
+        fmt::format("  {}     {}\n", wave == &scene.motion ? "motion" : "  and ", motion_text(scene, *wave));
   text += "\nStages\n" + stages_text(scene);
   text += "\nEffects\n";
   for (const Effect& effect : plan.effects)

@@ -230,7 +230,8 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        softening ? "a [soil] with softening > 0" : "no soil has softening > 0"},
       {"oblique incidence", scene.is_oblique(),
        fmt::format("[motion] angle_deg = {}", scene.motion.angle_deg) +
-           (scene.vertical ? fmt::format(", [motion.vertical] angle_deg = {}", scene.vertical->angle_deg) : "")},
+           (scene.vertical ? fmt::format(", [motion.vertical] angle_deg = {}", scene.vertical->angle_deg)
+                           : "")},
       {"free field", true, "[boundary]: " + listed(sources)},
       {"periodic sides", sides == Sides::periodic || sides == Sides::periodic_springs, sides_text(sides)},
       {"shaking table", scene.boundary.has_shaking_table(),

@@ -37,8 +37,8 @@ std::string resolved_json(const Case& scene, const Plan& plan) {
       const Service service = scene::service(scene, source, slowness);
       ordered_json fields;
       for (const ServedLine& line : service.lines)
-        fields.push_back(
-            {{"field", std::string(name(line.field)).append(suffix_of_wave(wave))}, {"levels_m", line.levels}});
+        fields.push_back({{"field", std::string(name(line.field)).append(suffix_of_wave(wave))},
+                          {"levels_m", line.levels}});
       json["served"].push_back({{"source", source.name},
                                 {"x_m", service.x_line},
                                 {"slowness_x_s_per_m", slowness},

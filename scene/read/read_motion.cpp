@@ -44,9 +44,10 @@ void read_vertical(const TableReader& table, Case& scene, Findings& findings) {
   if (auto source = read_motion_source(table, scene, findings))
     input.shakings.front().source = *std::move(source);
   if (scene.motion.wave != Wave::sv && findings.sound("motion.wave"))
-    findings.add(table.path(), "[motion.vertical] is a P wave that comes up beside an SV wave, but [motion] has "
-                               "wave = \"P\": make the vertical motion [motion] alone, or the horizontal one "
-                               "[motion] with wave = \"SV\"");
+    findings.add(table.path(),
+                 "[motion.vertical] is a P wave that comes up beside an SV wave, but [motion] has "
+                 "wave = \"P\": make the vertical motion [motion] alone, or the horizontal one "
+                 "[motion] with wave = \"SV\"");
 }
 
 /// Every record is of the kind of [motion].

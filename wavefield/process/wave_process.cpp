@@ -84,8 +84,7 @@ std::vector<Served> served_fields(const Superposition& field, const scene::Case&
     const double dt = served_interval(scene::motion(*waves[w]).highest_frequency());
     const auto fields = descriptions(service, wave.slowness_x(), dt, scene::suffix_of_wave(w));
     for (std::size_t i = 0; i < fields.size(); ++i)
-      all.push_back({wave,
-                     service.lines[i].field == scene::BaseForm::incident ? Part::incident : Part::total,
+      all.push_back({wave, service.lines[i].field == scene::BaseForm::incident ? Part::incident : Part::total,
                      fields[i]});
   }
   return all;

@@ -22,13 +22,13 @@ struct ColumnHistories {
 /// What a free field came to.
 struct ColumnSummary {
   double cpu_seconds = 0.0;
-  double surface_acceleration = 0.0; ///< largest, along the wave's own component, m/s2
-  double base_acceleration = 0.0;    ///< likewise
+  double surface_acceleration = 0.0;           ///< largest, along the wave's own component, m/s2
+  double base_acceleration = 0.0;              ///< likewise
   std::optional<double> vertical_acceleration; ///< largest at the surface, m/s2, where [motion.vertical] is
-  double largest_strain = 0.0;       ///< of the wave's own component
-  double strain_depth = 0.0;         ///< m below the surface
-  std::string water;                 ///< r_u and settlement, in lines; empty without pore pressure
-  std::string report;                ///< what integrator or iteration did; may be empty
+  double largest_strain = 0.0;                 ///< of the wave's own component
+  double strain_depth = 0.0;                   ///< m below the surface
+  std::string water;                           ///< r_u and settlement, in lines; empty without pore pressure
+  std::string report;                          ///< what integrator or iteration did; may be empty
   std::vector<std::string> warnings;
 };
 

@@ -107,9 +107,10 @@ std::vector<Table> motion_tables() {
   append(motion.keys, wave_keys());
   append(motion.keys, way_keys());
   Table vertical{.name = "motion.vertical",
-                 .meaning = "The vertical component of the shaking: a P wave that comes up beside the SV wave "
-                            "of [motion], a `pulse` or the record in a `file`, of the same kind. Both waves "
-                            "add up; on a shaking table it is the motion along y.",
+                 .meaning =
+                     "The vertical component of the shaking: a P wave that comes up beside the SV wave "
+                     "of [motion], a `pulse` or the record in a `file`, of the same kind. Both waves "
+                     "add up; on a shaking table it is the motion along y.",
                  .keys = record_keys()};
   append(vertical.keys, way_keys());
   vertical.keys.back().otherwise = "that of [motion]";

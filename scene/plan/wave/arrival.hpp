@@ -13,8 +13,8 @@ double arrival_of_intensity(const Case& scene, const ShakingMotion& shaking, dou
 /// The share with which strong motion is over.
 inline constexpr double strong_motion_over = 0.99;
 
-/// Largest velocity of the incident wave of [motion], m/s; of a motion within the ground, which is not known without the
-/// layers, that of an outcrop of the same motion.
+/// Largest velocity of the incident wave of [motion], m/s; of a motion within the ground, which is not known
+/// without the layers, that of an outcrop of the same motion.
 double incident_peak_velocity(const Case& scene);
 
 } // namespace tremolo::scene

@@ -1,12 +1,12 @@
-// At an angle each wave moves an outcrop in both directions. With the slowness p, eta_a = sqrt(1/a^2 - p^2) and
-// eta_b = sqrt(1/b^2 - p^2), a and b the speeds of P and S waves, the surface of a half-space moves (Aki &
-// Richards 2002, sec. 5.2.3)
+// At an angle each wave moves an outcrop in both directions. With the slowness p, eta_a = sqrt(1/a^2 - p^2)
+// and eta_b = sqrt(1/b^2 - p^2), a and b the speeds of P and S waves, the surface of a half-space moves (Aki
+// & Richards 2002, sec. 5.2.3)
 //
 //     under an SV wave     u_y / u_x = -2 p eta_a / (1/b^2 - 2 p^2),
 //     under a P wave       u_x / u_y =  2 p eta_b / (1/b^2 - 2 p^2).
 //
-// So where an SV wave is what the horizontal record of an outcrop asks for, and a P wave what the vertical one
-// does, both together move the outcrop otherwise than recorded.
+// So where an SV wave is what the horizontal record of an outcrop asks for, and a P wave what the vertical
+// one does, both together move the outcrop otherwise than recorded.
 
 #include "scene/plan/wave/slowness.hpp"
 #include "scene/rules/rules.hpp"
@@ -43,11 +43,12 @@ void outcrop_moves_as_recorded(const Case& scene, Findings& findings) {
     return;
   findings.add(
       scene.vertical->path,
-      fmt::format("each wave moves the outcrop as its own record says, and at an angle in the other direction "
-                  "too: the vertical motion of the outcrop is its record and {:.2g} times the horizontal one, "
-                  "the horizontal motion its record and {:.2g} times the vertical one; both records are met "
-                  "at angle_deg = 0",
-                  vertically, horizontally));
+      fmt::format(
+          "each wave moves the outcrop as its own record says, and at an angle in the other direction "
+          "too: the vertical motion of the outcrop is its record and {:.2g} times the horizontal one, "
+          "the horizontal motion its record and {:.2g} times the vertical one; both records are met "
+          "at angle_deg = 0",
+          vertically, horizontally));
 }
 
 } // namespace tremolo::scene

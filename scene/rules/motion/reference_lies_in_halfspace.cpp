@@ -18,13 +18,15 @@ void wave_begins_in_halfspace(const Case& scene, const MotionInput& wave, Findin
     const double top = base_level(side.surface, below);
     constexpr double same_level = 1e-6; // m
     if (!below.empty() && y > top + same_level)
-      findings.add(path, fmt::format("'reference' at y = {} lies in the layers{}, must be in the half-space, y "
-                                     "<= {}",
-                                     y, where, top));
+      findings.add(path,
+                   fmt::format("'reference' at y = {} lies in the layers{}, must be in the half-space, y "
+                               "<= {}",
+                               y, where, top));
     else if (wave.kind == motion::MotionKind::within && (below.empty() || std::abs(y - top) > same_level))
-      findings.add(path, fmt::format("'reference' at y = {} of a motion within the ground must be at the top of "
-                                     "the half-space{}, y = {}",
-                                     y, where, top));
+      findings.add(path,
+                   fmt::format("'reference' at y = {} of a motion within the ground must be at the top of "
+                               "the half-space{}, y = {}",
+                               y, where, top));
   };
   const auto& [sides, left, right, base] = scene.boundary;
   const bool differ = !scene.boundary.has_equal_sides();

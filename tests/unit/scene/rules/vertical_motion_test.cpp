@@ -72,7 +72,8 @@ TEST(VerticalMotion, ShakesAgainInALaterStage) {
   const std::string motion =
       "motion = { pulse = { shape = \"ricker\", frequency = 3.0, time = 1.5, velocity = 0.05 }, vertical = { "
       "pulse = { shape = \"ricker\", frequency = 6.0, time = 1.5, velocity = 0.02 } } }\n";
-  const std::string again = "[[stage]]\nkind = \"shaking\"\nname = \"aftershock\"\nduration_s = 3.0\n" + motion;
+  const std::string again =
+      "[[stage]]\nkind = \"shaking\"\nname = \"aftershock\"\nduration_s = 3.0\n" + motion;
   const Case scene = parse_case(plus(vertical() + again));
   ASSERT_EQ(scene.vertical->shakings.size(), 2u);
   EXPECT_EQ(scene.vertical->shakings[1].start, 2.0);
