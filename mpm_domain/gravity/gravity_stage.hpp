@@ -66,6 +66,9 @@ struct GravitySettings {
   double max_time = 60.0; ///< s of relaxation after which the stage gives up
   /// Unbalanced forces less deep than this below the surface do not count, in cells.
   double skin = 0.0;
+  /// Time is not over yet, but doubled, up to three times, while the residual is below this share of what it
+  /// was half-way, 1.
+  double falling = 0.0;
 };
 
 /// The soils whose pore water moves with the grains in a stage.

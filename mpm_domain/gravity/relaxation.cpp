@@ -29,6 +29,35 @@ constexpr long report_every = 100;
 constexpr std::array given_fields{&ParticleFields::volume, &ParticleFields::box_xx, &ParticleFields::box_xy,
                                   &ParticleFields::box_yy};
 
+/// The longest time over the given one.
+constexpr double most_patience = 8.0;
+
+/// When time is over. The longer a body and the nearer to its limit, the slower it comes to rest: its
+/// residual falls to nothing, that of a body which fails to what drives it.
+class Patience {
+public:
+  explicit Patience(const Course& course)
+      : time_(course.time), longest_(most_patience * course.time), falling_(course.falling) {}
+
+  bool is_over(double passed, double residual) {
+    if (passed < 0.5 * time_)
+      half_way_ = residual;
+    if (passed < time_)
+      return false;
+    if (!(residual < falling_ * half_way_) || time_ >= longest_)
+      return true;
+    half_way_ = residual;
+    time_ *= 2.0;
+    return false;
+  }
+
+private:
+  double time_; ///< s
+  double longest_;
+  double falling_;
+  double half_way_ = 0.0; ///< residual at half of the time
+};
+
 /// From 0 to 1 along half of a cosine as s goes there, without a jump of velocity.
 double ramped(double s) {
   return s < 1.0 ? 0.5 * (1.0 - std::cos(std::numbers::pi * s)) : 1.0;
@@ -199,6 +228,7 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
   }
   if (course.skin > 0.0)
     find_skin(course.skin);
+  Patience patience(course);
   double share = course.ramp > 0.0 ? 0.0 : 1.0;
   for (long step = 0;; ++step) {
     const double passed = static_cast<double>(step) * dt_;
@@ -212,7 +242,8 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
     const Relaxed relaxed{course.first + step, relax_grid(course.bonded)};
     prolong(domain_, NodeGroup::velocity);
     const bool grows = passed < course.ramp;
-    const bool ends = !grows && (relaxed.residual < course.residual || !(passed < course.time));
+    const bool late = patience.is_over(passed, relaxed.residual);
+    const bool ends = !grows && (relaxed.residual < course.residual || late);
     if (ends || relaxed.step % report_every == 0)
       progress(relaxed.step, relaxed.residual);
     if (ends) {

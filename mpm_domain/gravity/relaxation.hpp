@@ -28,8 +28,9 @@ struct Course {
   std::function<void(double share)> grow = {}; ///< brings what grows to a share s of its size
   double time = 0.0;                           ///< s within which all must rest, the ramp included
   double residual = 1e-9;                      ///< unbalanced over applied force of a domain at rest
-  double skin = 0.0; ///< unbalanced forces less deep than this below the surface do not count, in cells
-  long first = 0;    ///< number of the first step, for reports
+  double skin = 0.0;    ///< unbalanced forces less deep than this below the surface do not count, in cells
+  double falling = 0.0; ///< time is doubled while the residual is below this share of that half-way, 1
+  long first = 0;       ///< number of the first step, for reports
 };
 
 /// Where a relaxation has ended.

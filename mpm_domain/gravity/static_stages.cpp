@@ -138,8 +138,11 @@ void StaticStages::gravity() {
   set_rest_stress(model_->sets_of_soil(), model_->spec);
   begin_relaxation();
   act_with_loads(0);
-  const Course course{
-      .bonded = true, .time = gravity_.max_time, .residual = gravity_.residual, .skin = gravity_.skin};
+  const Course course{.bonded = true,
+                      .time = gravity_.max_time,
+                      .residual = gravity_.residual,
+                      .skin = gravity_.skin,
+                      .falling = gravity_.falling};
   const Relaxed rest = run(course, "the gravity stage did not come to rest",
                            "the slope may not be stable under its weight, which tremolo safety finds out");
   end_bonds(course, rest);
@@ -271,7 +274,9 @@ Relaxed StaticStages::run(const Course& course, const std::string& what, const s
       relaxation_->run(course, [this](long step, double residual) { progress_(over_, step, residual); });
   if (!(relaxed.residual < course.residual))
     throw NotAtRest(fmt::format("{}: residual {:.3g} after {:.3g} s of relaxation, wanted {:.3g}; {}", what,
-                                relaxed.residual, course.time, course.residual, why),
+                                relaxed.residual,
+                                static_cast<double>(relaxed.step - course.first) * relaxation_->step(),
+                                course.residual, why),
                     over_, own_);
   return relaxed;
 }

@@ -12,8 +12,10 @@ namespace {
 /// Unbalanced over applied force at which a model counts as at rest. One that fails keeps some thousandths.
 constexpr double rest_residual = 1e-4;
 
-/// Periods of a layer of the model's depth after which one that still moves has failed.
+/// Periods of a layer of the model's depth after which one that still moves has failed, unless its residual
+/// is below this share of what it was half-way.
 constexpr double patience = 60.0;
+constexpr double falling = 0.8;
 
 /// Depth of the skin of which trials say that it ravels, in cells.
 constexpr double skin = 2.0;
@@ -73,9 +75,9 @@ private:
     Domain domain(with_factor(spec_, trial.factor));
     Failure failure;
     try {
-      const Reactions reactions =
-          relax_under_gravity(domain, {.residual = rest_residual, .max_time = time_, .skin = left_out},
-                              [&](long, double residual) { trial.residual = residual; });
+      const Reactions reactions = relax_under_gravity(
+          domain, {.residual = rest_residual, .max_time = time_, .skin = left_out, .falling = falling},
+          [&](long, double residual) { trial.residual = residual; });
       trial.stands = !reactions.slipping;
       for (const std::size_t body : reactions.slipping_bodies)
         failure.structures.push_back(domain.contact.bodies()[body].name());
@@ -94,7 +96,7 @@ private:
 
   const Spec& spec_;
   const TrialProgress& progress_;
-  double time_; ///< after which one that still moves has failed, s
+  double time_; ///< after which one that still moves has failed, s; more where its residual falls
   FactorOfSafety found_;
 };
 

@@ -10,8 +10,13 @@
 // moving just above F shows it.
 //
 // F is first bracketed by steps of 1.25 between 0.1 and 10 and then halved in. A model that carries its
-// weight comes to rest within some tens of the period 4 H/c_s of a layer of its depth; one that has not come
-// to rest after 60 counts as failed.
+// weight comes to rest within some tens of the period 4 H/c_s of a layer of its depth, and a long one near
+// its limit takes more. One that has not come to rest after n = 60 periods counts as failed if its residual
+// has come to a standstill,
+//
+//     r(n) >= 0.8 r(n/2),
+//
+// and else is given twice the time, up to eight times as much in all.
 
 #include "mpm_domain/gravity/mechanism.hpp"
 #include "mpm_domain/spec/spec.hpp"

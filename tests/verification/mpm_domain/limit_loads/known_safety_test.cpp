@@ -40,6 +40,12 @@ INSTANTIATE_TEST_SUITE_P(AcceptanceSlopes, Bishop,
                                          BishopSlope{2.0, 20.0, 0.05, 20e3, true, 1.0, 1.82},
                                          BishopSlope{3.0, 30.0, 0.025, 2000.0 * 9.81, false, 1.0, 2.256}));
 
+// So near to its factor it takes longer than 60 periods of its depth to come to rest.
+TEST(PatientBishop, SlopeStandsHalfAPerCentBelowItsFactor) {
+  const BishopSlope slope{2.0, 20.0, 0.05, 20e3, false, 1.0, 1.383};
+  EXPECT_TRUE(stands_with(spec_of(slope), 0.9955 * slope.factor));
+}
+
 // The staircase that a slope is in cells ravels; what slides below it counts.
 TEST(SlopeOfSand, SlidesAtTheTangentOfItsFrictionOverThatOfTheSlope) {
   expect_factor("PM4Sand at 20 degrees", test::sand_slope(1.0), test::sand_factor());
