@@ -28,18 +28,20 @@ CROWN = TEXT[TEXT.index('[[monitor]]\nname = "crown"'):TEXT.index("[output]")]
 ALONE = {LINING: "", CROWN: f'[[line]]\nname = "axis"\nfrom = [0.0, {CENTRE[1] + OUTER}]\nto = [0.0, {CENTRE[1] - OUTER}]\nspacing = 0.35\n\n'}
 OBLIQUE = {"angle_deg = 0.0\n": "angle_deg = 15.0\n"}
 BONDED = {"friction = 0.6\n": "friction = 0.6\nadhesion = 1e7\n"}
+UNIFORM = {"density = 1700.0\nvs = 150.0\n": "density = 1900.0\nvs = 220.0\n"}
 SMOOTH = {"friction = 0.6\n": "friction = 0.0\n"}
 # Folder: label, changes, free field, whether soil sticks in the closed form.
 VARIANTS = {
     "main": ("as it is, friction 0.6", {}, "free", True),
     "bonded": ("bonded", BONDED, "free", True),
     "smooth": ("full slip", SMOOTH, "free", False),
+    "uniform_smooth": ("full slip, dense sand to the surface", SMOOTH | UNIFORM, "free_uniform", False),
     "oblique": ("friction 0.6, 15 degrees", OBLIQUE, "free_oblique", True),
     "oblique_bonded": ("bonded, 15 degrees", OBLIQUE | BONDED, "free_oblique", True),
     "thin": ("0.15 m thick, bonded", BONDED | {"thickness = 0.3 ": "thickness = 0.15 "}, "free", True),
     "fine": ("bonded, cells of 0.5 and 0.25 m", BONDED | {"size = 1.0\n": "size = 0.5\n"}, "free", True),
 }
-FREE = {"free": ALONE, "free_oblique": ALONE | OBLIQUE}
+FREE = {"free": ALONE, "free_uniform": ALONE | UNIFORM, "free_oblique": ALONE | OBLIQUE}
 
 
 def exact(section, radius, thickness, sticks):
