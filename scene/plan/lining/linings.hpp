@@ -46,7 +46,7 @@ struct PlannedLining {
 };
 
 /// What a segment takes of a step on one thread, ns; of the order of magnitude.
-inline constexpr double lining_segment_cost_ns = 6000.0;
+inline constexpr double lining_segment_cost_ns = 15000.0;
 
 /// For a case without errors.
 std::vector<PlannedLining> plan_linings(const Case& scene);
