@@ -37,13 +37,15 @@ wavefield::TimeGrid first_times(double start, double dt) {
 }
 
 void start_wave(const scene::Case& scene, const scene::SourceProcess& source) {
-  const wavefield::LayeredField field = wavefield::field_from_case(scene, source);
-  const scene::Service service = scene::service(scene, source, field.slowness_x());
-  for (const scene::ServedLine& line : service.lines) {
-    const auto points = wavefield::points_on_line(service.x_line, line.levels);
-    const wavefield::LongField whole(field, points, first_times(service.start_time, 0.005),
-                                     part_of(line.field));
-    whole.sample(points, [](std::size_t, const std::vector<wavefield::History>&) {});
+  const wavefield::Superposition field = wavefield::field_from_case(scene, source);
+  for (const wavefield::LayeredField& wave : field.waves()) {
+    const scene::Service service = scene::service(scene, source, wave.slowness_x());
+    for (const scene::ServedLine& line : service.lines) {
+      const auto points = wavefield::points_on_line(service.x_line, line.levels);
+      const wavefield::LongField whole(wave, points, first_times(service.start_time, 0.005),
+                                       part_of(line.field));
+      whole.sample(points, [](std::size_t, const std::vector<wavefield::History>&) {});
+    }
   }
 }
 
