@@ -86,8 +86,8 @@ double frame_of_contact(const Case& scene) {
   return frame_bytes + values + arrays * array_overhead_bytes(values / arrays);
 }
 
-/// Segments of a lining's outer face, at most: they end at corners that turn by more than 20 degrees, of which
-/// a convex outline has fewer than 18.
+/// Segments of a lining's outer face, at most: they end at corners that turn by more than 20 degrees, of
+/// which a convex outline has fewer than 18.
 std::size_t most_segments(const PlannedLining& lining) {
   return static_cast<std::size_t>(lining.segments) + 18;
 }

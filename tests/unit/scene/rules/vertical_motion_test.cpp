@@ -111,7 +111,7 @@ TEST(Rules, PeriodicSidesTakeNoWaveAtAnAngle) {
               Contains(HasSubstr("a wave at [motion.vertical] angle_deg = 5 reaches")));
 }
 
-TEST(Rules, TwoWavesMoveAnOutcropOtherwiseThanRecorded) {
+TEST(Rules, OutcropMovesAsRecorded) {
   const auto outcrop = with("[motion]\n", "[motion]\nkind = \"outcrop\"\n");
   EXPECT_THAT(remarks_of(outcrop + vertical()), Not(Contains(HasSubstr("moves the outcrop"))));
   EXPECT_THAT(remarks_of(at("10.0", vertical("20.0"), outcrop)),
