@@ -69,8 +69,9 @@ def plot(arguments):
     if moved := bodies.histories(run, folder):
         yield moved
     for name in run.linings:
-        if drawn := linings.picture(run, folder, name, arguments.time):
-            yield drawn
+        for contact in (False, True):
+            if drawn := linings.picture(run, folder, name, arguments.time, contact):
+                yield drawn
     if drifted := drift.picture(run, folder):
         yield drifted
     for name in run.monitors:

@@ -1,5 +1,6 @@
 """Linings: drawn into maps, and diagrams of their section forces: M on the side that it stretches, N outwards where it compresses, Q
-outwards where it is positive."""
+outwards where it is positive; and of what the soil does to them: pressure outwards, shear outwards where it turns the lining
+counter-clockwise."""
 
 import numpy as np
 from matplotlib.patches import PathPatch
@@ -16,6 +17,9 @@ DIAGRAMS = (
     ("axial_force", "N, compression outwards", -1.0, "kN/m"),
     ("shear_force", "Q", 1.0, "kN/m"),
 )
+
+
+CONTACT = (("pressure", "pressure of the soil", 1.0, "kPa"), ("shear", "shear of the soil", 1.0, "kPa"))
 
 
 def wall(outer, inner):
@@ -47,10 +51,24 @@ def _closed(values):
     return np.concatenate([values, values[:1]])
 
 
+def _on_face(lining):
+    """Middles of the segments of the outer face and its normals there, outwards: those of the nearest element."""
+    middles, outwards = _normals(lining.nodes)
+    distances = np.linalg.norm(lining.segments[:, None] - (middles + 0.5 * lining.thickness * outwards), axis=2)
+    return lining.segments, outwards[np.argmin(distances, axis=1)]
+
+
+def _extremes(lining, quantity):
+    """The least and the greatest value at each place over all times."""
+    values = getattr(lining, quantity)
+    return values.min(axis=0), values.max(axis=0)
+
+
 def _diagram(ax, lining, force, sign, rows):
     """The lining at the start, the envelope over all times as a band, and lines at some times."""
-    middles, outwards = _normals(lining.nodes)
-    least, greatest = lining.envelope(force)
+    contact = any(force == name for name, *_ in CONTACT)
+    middles, outwards = _on_face(lining) if contact else _normals(lining.nodes)
+    least, greatest = _extremes(lining, force)
     largest = max(np.abs(least).max(), np.abs(greatest).max())
     half = 0.5 * np.ptp(lining.nodes, axis=0).max()
     scale = sign * LENGTH * half / largest if largest > 0.0 else 0.0
@@ -82,24 +100,27 @@ def _history(ax, lining, force):
         ax.set_xlim(lining.time[0], lining.time[-1])
 
 
-def diagrams(lining, name, times=None):
-    """The figure of a lining: its diagrams at some times (s), by default those of telling_times(), and as envelopes; below them the
-    extremes around it over time."""
+def diagrams(lining, name, times=None, contact=False):
+    """The figure of a lining: its section forces, or what the soil does to its outer face, at some times (s), by default those of
+    telling_times(), and as envelopes; below them the extremes around it over time."""
+    drawn = CONTACT if contact else DIAGRAMS
     rows = [lining.nearest(time) for time in times or telling_times(lining)]
-    figure, axes = style.plt.subplots(2, 3, figsize=(11.0, 6.6), layout="constrained", height_ratios=[1.5, 1.0], sharex="row")
-    for column, (force, text, sign, unit) in enumerate(DIAGRAMS):
-        least, greatest = (values / 1e3 for values in lining.envelope(force))
+    figure, axes = style.plt.subplots(2, len(drawn), figsize=(11.0 / 3.0 * len(drawn), 6.6), layout="constrained",
+                                      height_ratios=[1.5, 1.0], sharex="row")
+    for column, (force, text, sign, unit) in enumerate(drawn):
+        least, greatest = (values / 1e3 for values in _extremes(lining, force))
         _diagram(axes[0, column], lining, force, sign, rows)
         axes[0, column].set_title(f"{text}: {least.min():.4g} to {greatest.max():.4g} {unit}", loc="left")
         _history(axes[1, column], lining, force)
         axes[1, column].set_ylabel(f"{text.split(',')[0]} ({unit})")
     axes[0, 0].legend(loc="center", frameon=False)
     axes[1, 0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, borderaxespad=0.2)
-    figure.suptitle(f"{name}: section forces", fontsize=10)
+    figure.suptitle(f"{name}: {'contact with the soil' if contact else 'section forces'}", fontsize=10)
     return figure
 
 
-def picture(run, folder, name, times=None):
-    """lining_NAME.png; None where the lining has no history yet."""
+def picture(run, folder, name, times=None, contact=False):
+    """lining_NAME.png, or lining_NAME_contact.png; None where the lining has no history yet."""
     lining = run.lining(name)
-    return style.save(diagrams(lining, name, times), folder, f"lining_{name}.png") if len(lining) else None
+    file = f"lining_{name}_contact.png" if contact else f"lining_{name}.png"
+    return style.save(diagrams(lining, name, times, contact), folder, file) if len(lining) else None

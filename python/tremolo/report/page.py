@@ -157,7 +157,8 @@ class Report:
                 {
                     "title": title, "name": run.title, "status": run.status, "case": run.case, "model": facts.model(run),
                     "picture": _drawn(run, preview.preview), "stages": _drawn(run, stages.picture), "plan": facts.plan(run),
-                    "linings": [drawn for name in run.linings if (drawn := _drawn(run, functools.partial(linings.picture, name=name)))],
+                    "linings": [drawn for name in run.linings for contact in (False, True)
+                                if (drawn := _drawn(run, functools.partial(linings.picture, name=name, contact=contact)))],
                     "measures": facts.measures(run), "stage_measures": facts.stage_measures(run), "waits": facts.waits(run),
                     "processes": facts.processes(run), "origin": facts.origin(run), "warnings": facts.warnings(run),
                     "checklist": None if live else checklist.checklist(run),

@@ -86,11 +86,25 @@ class Lining(unittest.TestCase):
         self.assertTrue(np.all(np.linalg.norm(thrust_line - ring.CENTRE, axis=1) > ring.RADIUS))  # compression
         self.assertIn("-19.62 to 19.62 kNm/m", moment.get_title(loc="left").replace("−", "-"))
 
+    def test_contact_stands_on_the_outer_face(self):
+        """The synthetic ring bears one pressure all around it."""
+        figure = linings.diagrams(self.lining, "ring", [1.5], contact=True)
+        self.addCleanup(style.plt.close, figure)
+        pressure, shear = figure.axes[:2]
+        drawn = next(line for line in pressure.get_lines() if line.get_label().startswith("t = 1.5")).get_xydata()[:-1]
+        self.assertEqual(ring.SEGMENTS, len(drawn))
+        away = np.linalg.norm(drawn - ring.CENTRE, axis=1) - np.linalg.norm(self.lining.segments - ring.CENTRE, axis=1)
+        np.testing.assert_allclose(away, away[0], rtol=0.02)
+        self.assertGreater(away[0], 0.0)
+        self.assertTrue(pressure.get_title(loc="left").startswith("pressure of the soil"))
+        self.assertTrue(shear.get_title(loc="left").startswith("shear of the soil"))
+
     def test_is_in_plot_and_report(self):
         with tempfile.TemporaryDirectory() as folder:
             status, paths, error = run_command("plot", self.path, "--out", folder)
             self.assertEqual((0, ""), (status, error))
-            self.assertIn(str(Path(folder) / "lining_ring.png"), [str(path) for path in paths])
+            for name in ("lining_ring.png", "lining_ring_contact.png"):
+                self.assertIn(str(Path(folder) / name), [str(path) for path in paths])
             try:
                 import plotly  # noqa: F401
             except ImportError:
