@@ -136,6 +136,9 @@ class Domain(unittest.TestCase):
             exact = Run(work.run("run"))
             result = work.command("column", work.case, "--side", "left", "--model", "wave", "--record", "left.h5")
             self.assertEqual(0, result.returncode, result.stderr)
+            exported = work.command("export", "left.h5", "sv.csv")
+            self.assertIn("--field total+vertical exports it", exported.stdout)
+            self.assertEqual(0, work.command("export", "left.h5", "p.csv", "--field", "total+vertical").returncode)
             case = work.case.read_text()
             for side in ("left", "right", "base"):
                 case = case.replace(f'{side} = {{ model = "wave" }}', f'{side} = {{ model = "recording", file = "left.h5" }}')

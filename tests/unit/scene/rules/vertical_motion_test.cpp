@@ -3,6 +3,7 @@
 #include "rule_cases.hpp"
 
 #include "scene/plan/plan.hpp"
+#include "scene/plan/resolved.hpp"
 #include "scene/plan/wave/slowness.hpp"
 
 #include <fmt/format.h>
@@ -50,6 +51,14 @@ TEST(VerticalMotion, IsListed) {
       explain(parse_case(plus(vertical())), plan(parse_case(plus(vertical())))),
       AllOf(HasSubstr("incident motion of the SV wave at 0 degrees"),
             HasSubstr("and      Ricker pulse of 5 Hz, 0.05 m/s at 1 s, incident motion of the P wave")));
+}
+
+TEST(VerticalMotion, IsServedAsAFieldOfItsOwn) {
+  const Case scene = parse_case(at("10.0", vertical("20.0")));
+  EXPECT_THAT(resolved_json(scene, plan(scene)), HasSubstr("\"total+vertical\""));
+  EXPECT_LT(slowness_x(scene, scene.motion), slowness_x(scene, *scene.vertical));
+  const Case columns = parse_case(with_columns() + vertical());
+  EXPECT_THAT(resolved_json(columns, plan(columns)), Not(HasSubstr("total+vertical")));
 }
 
 TEST(VerticalMotion, NeedsAnAngleAndAnSvWave) {
