@@ -226,8 +226,9 @@ RockMotion rock_motion(const scene::Case& scene, const scene::MotionInput& wave,
     };
   const BaseImpedance base = base_impedance(scene.halfspace, slowness);
   const Eigen::Matrix2d outcrop = base.outgoing.inverse() * base.incident;
-  return [slowness, outcrop, rise = rise_to_damped_soil(profile, slowness),
-          input = incident_input(wave, ground, 0.0, profile.base_level()).velocity](double x, double time) {
+  return [outcrop, rise = rise_to_damped_soil(profile, slowness),
+          input = incident_input(wave, ground, 0.0, profile.base_level()).velocity,
+          slowness](double x, double time) {
     const double here = time - slowness * x;
     const Eigen::Vector2d v = outcrop * Eigen::Vector2d(input(here - rise.x).x, input(here - rise.y).y);
     return Velocity{v.x(), v.y()};

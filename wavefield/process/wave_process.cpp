@@ -99,6 +99,7 @@ void run(const coupler::ParticipantOptions& options) {
   const Superposition field = field_of(scene, source);
   const std::vector<Served> served = served_fields(field, scene, source);
   std::vector<coupler::FieldDescription> fields;
+  fields.reserve(served.size());
   for (const Served& one : served)
     fields.push_back(one.description);
 
