@@ -76,18 +76,16 @@ struct Fields {
 
 /// Plane waves have slownesses of their own, so each is recorded by itself.
 Fields fields_of_waves(const scene::Case& scene, const scene::SourceProcess& source) {
-  const wavefield::Superposition total = wavefield::field_from_case(scene, source);
-  const wavefield::Superposition elastic =
-      wavefield::elastic_field(scene, scene::layers(scene, source), source.surface);
+  const wavefield::Superposition field = wavefield::field_from_case(scene, source);
   const auto waves = scene.plane_waves();
   Fields fields;
   for (std::size_t w = 0; w < waves.size(); ++w) {
-    const double slowness = total.waves()[w].slowness_x();
+    const double slowness = field.waves()[w].slowness_x();
     const scene::Service service = scene::service(scene, source, slowness);
     const wavefield::TimeGrid times = times_of(scene::motion(*waves[w]).highest_frequency(), service);
+    const wavefield::Superposition alone({field.waves()[w]});
     for (const scene::ServedLine& line : service.lines) {
       const bool incident = line.field == scene::BaseForm::incident;
-      const wavefield::Superposition alone({(incident ? elastic : total).waves()[w]});
       fields.add(line, scene::suffix_of_wave(w), service, slowness, times,
                  plane_wave_series(alone, line.levels, times, service.x_line,
                                    incident ? wavefield::Part::incident : wavefield::Part::total));
@@ -96,7 +94,7 @@ Fields fields_of_waves(const scene::Case& scene, const scene::SourceProcess& sou
   return fields;
 }
 
-/// Of a column, in which all waves have one slowness.
+/// The waves in a column have one slowness, so they are recorded together.
 Fields fields_of_column(const scene::Case& scene, const scene::SourceProcess& source) {
   const double slowness = scene::slowness_x(scene, scene.motion);
   const scene::Service service = scene::service(scene, source, slowness);

@@ -133,10 +133,9 @@ void add_wave(Command& app) {
       ->add_option("--out", options->out,
                    "Written: t,x,y,ux,uy,vx,vy,sxx,syy,sxy in SI units, point by point; stresses are the "
                    "dynamic part, tension positive. With --transfer: complex amplitudes under the wave of "
-                   "[motion], time kernel "
-                   "exp(+i omega t), of surface and top of the half-space per unit incident displacement "
-                   "there, and of the surface "
-                   "over outcrop and within motion (horizontal for SV, vertical for P)")
+                   "[motion], time kernel exp(+i omega t), of surface and top of the half-space per unit "
+                   "incident displacement there, and of the surface over outcrop and within motion "
+                   "(horizontal for SV, vertical for P)")
       ->required();
   auto* transfer =
       command->add_flag("--transfer", options->transfer, "Transfer functions instead of histories");

@@ -216,7 +216,7 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
 
 namespace {
 
-/// Of one wave, where all layers end.
+/// The motion that one wave alone gives the rock.
 RockMotion rock_motion(const scene::Case& scene, const scene::MotionInput& wave, const Profile& profile,
                        const wavefield::LayeredHalfSpace& ground) {
   const double slowness = scene::slowness_x(scene, wave);

@@ -68,10 +68,11 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   return spec;
 }
 
-/// v_ref of the ground of a source; zero where nothing is damped in proportion to mass.
+/// v_ref of the ground of a source; zero where nothing is damped in proportion to mass, and on a shaking
+/// table, from which the domain is seen.
 std::function<Vector(double, double)> rock_motion_below(const scene::Case& scene,
                                                         const scene::SourceProcess& source) {
-  if (!(scene::mass_damping(scene, 1.0) > 0.0))
+  if (scene.boundary.has_shaking_table() || !(scene::mass_damping(scene, 1.0) > 0.0))
     return [](double, double) { return Vector{}; };
   return [motion = freefield::rock_motion(scene, source)](double x, double time) {
     const freefield::Velocity v = motion(x, time);
@@ -177,8 +178,6 @@ PeriodicColumnSpec periodic_column_spec(const scene::Case& scene, const scene::S
 }
 
 std::function<Vector(double, double)> rock_motion(const scene::Case& scene, const scene::Plan& plan) {
-  if (scene.boundary.has_shaking_table())
-    return [](double, double) { return Vector{}; };
   const auto side = scene.boundary.has_lateral_fields() ? scene::Side::left : scene::Side::base;
   return rock_motion_below(scene, scene::source_of(plan, side));
 }

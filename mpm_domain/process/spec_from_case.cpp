@@ -46,6 +46,15 @@ std::optional<GroundWater> water_of(const std::optional<scene::GroundWater>& wat
   return water ? std::optional(copy_of(*water)) : std::nullopt;
 }
 
+/// Friction and adhesion against each soil.
+template <class Body>
+void copy_contact(const std::vector<scene::SoilContact>& soils, Body& copy) {
+  for (const scene::SoilContact& against : soils) {
+    copy.friction.push_back(against.friction);
+    copy.adhesion.push_back(against.adhesion);
+  }
+}
+
 Structure structure_of(const scene::Structure& structure) {
   Structure copy{.name = structure.name,
                  .outline = corners_of(structure.outline.corners),
@@ -53,10 +62,7 @@ Structure structure_of(const scene::Structure& structure) {
                  .density = structure.density,
                  .stiffness = structure.stiffness,
                  .friction_between = structure.friction};
-  for (const scene::SoilContact& against : structure.against) {
-    copy.friction.push_back(against.friction);
-    copy.adhesion.push_back(against.adhesion);
-  }
+  copy_contact(structure.against, copy);
   return copy;
 }
 
@@ -69,10 +75,7 @@ Lining lining_of(const scene::Lining& lining, double cell_size) {
               .hinges = outline.hinges,
               .friction = {},
               .adhesion = {}};
-  for (const scene::SoilContact& against : lining.against) {
-    copy.friction.push_back(against.friction);
-    copy.adhesion.push_back(against.adhesion);
-  }
+  copy_contact(lining.against, copy);
   return copy;
 }
 

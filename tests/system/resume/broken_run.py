@@ -15,7 +15,7 @@ import numpy as np
 from recorded_case import BoxWorkspace, SlopeWorkspace, differences, model, record
 
 __all__ = ["BoxWorkspace", "SlopeWorkspace", "checkpoints", "differences", "exchange_differences", "goes_on_with_the_same_bits", "killed",
-           "model", "record", "resumed", "whole_run", "with_checkpoints"]
+           "model", "record", "resumed", "resumes_with_the_same_bits", "whole_run", "with_checkpoints"]
 
 
 def with_checkpoints(work, **settings):
@@ -72,15 +72,19 @@ def killed(work, folder, command, after_step, victim=None, chance=random):
     return (None if status == 0 or is_complete(folder) else name), text
 
 
-def goes_on_with_the_same_bits(test, work, whole, before_last=400):
-    """Breaks a run this many steps before the last checkpoint of a whole one, and resumes it; then tries two threads."""
+def resumes_with_the_same_bits(test, work, whole, after_step):
+    """Kills the domain of a run after the checkpoint of a step, and resumes it."""
     folder = work.path / "broken"
-    after = checkpoints(whole)[-1] - before_last
-    victim, text = killed(work, folder, ["run", work.case, "--out", folder], after, victim="domain")
+    victim, text = killed(work, folder, ["run", work.case, "--out", folder], after_step, victim="domain")
     test.assertEqual("domain", victim, text)
     result = resumed(work, folder)
     test.assertEqual(0, result.returncode, result.stdout + result.stderr)
     test.assertEqual([], differences(folder, whole))
+
+
+def goes_on_with_the_same_bits(test, work, whole, before_last=400):
+    """Breaks a run this many steps before the last checkpoint of a whole one, and resumes it; then tries two threads."""
+    resumes_with_the_same_bits(test, work, whole, checkpoints(whole)[-1] - before_last)
     test.assertEqual([], differences(work.run("threads", "--threads", 2), whole))
 
 

@@ -5,10 +5,11 @@ from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).parents[1] / "resume")]
 
-from broken_run import checkpoints, differences, killed, resumed, whole_run, with_checkpoints
+from broken_run import checkpoints, differences, resumes_with_the_same_bits, whole_run, with_checkpoints
 from small_case import Workspace
 
-__all__ = ["BlockWorkspace", "LinedWorkspace", "TunnelWorkspace", "checkpoints", "differences", "killed", "resumed", "whole_run", "with_checkpoints"]
+__all__ = ["BlockWorkspace", "LinedWorkspace", "TunnelWorkspace", "checkpoints", "differences", "resumes_with_the_same_bits", "whole_run",
+           "with_checkpoints"]
 
 STAGES = """
 [[stage]]

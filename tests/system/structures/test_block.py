@@ -12,7 +12,7 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parent)]
 
 import numpy as np
-from structure_cases import BlockWorkspace, checkpoints, differences, killed, resumed, whole_run, with_checkpoints
+from structure_cases import BlockWorkspace, checkpoints, differences, resumes_with_the_same_bits, whole_run, with_checkpoints
 from tremolo import Run
 
 
@@ -39,13 +39,7 @@ class EitherKind:
     def test_resumed_after_a_kill_it_gives_the_same_bits(self):
         with with_checkpoints(BlockWorkspace(TREMOLO, duration=1.5, kind=self.kind), every_steps=200) as work:
             whole = whole_run(work)
-            steps = checkpoints(whole)[-1]
-            folder = work.path / "broken"
-            victim, text = killed(work, folder, ["run", work.case, "--out", folder], steps // 3, victim="domain")
-            self.assertEqual("domain", victim, text)
-            again = resumed(work, folder)
-            self.assertEqual(0, again.returncode, again.stdout + again.stderr)
-            self.assertEqual([], differences(folder, whole))
+            resumes_with_the_same_bits(self, work, whole, checkpoints(whole)[-1] // 3)
 
     def test_a_sliding_block_has_the_same_bits_for_any_number_of_threads(self):
         with BlockWorkspace(TREMOLO, kind=self.kind, friction=0.05) as work:
