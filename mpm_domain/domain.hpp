@@ -3,14 +3,15 @@
 #include "mpm_domain/boundary/boundary.hpp"
 #include "mpm_domain/boundary/load/surface_loads.hpp"
 #include "mpm_domain/contact/contact.hpp"
+#include "mpm_domain/earthworks/earthworks.hpp"
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/lining/linings.hpp"
 #include "mpm_domain/passes/energy_ledger.hpp"
 
 namespace tremolo::mpm_domain {
 
-/// The state of the domain: the ground, its boundary, the structures and linings in it, and where the energy
-/// goes. Where ranks share a domain, each knows all that concerns the boundary.
+/// The state of the domain: the ground, its boundary and earthworks, the structures and linings in it, and
+/// where the energy goes. Where ranks share a domain, each knows all that concerns the boundary.
 struct Domain : Ground {
   /// Fills the regions with particles at rest and without stress.
   /// @throws std::invalid_argument for a spec that cannot be built
@@ -18,6 +19,7 @@ struct Domain : Ground {
 
   Boundary boundary;
   SurfaceLoads loads;
+  Earthworks earthworks;
   Contact contact;
   Linings linings;
   EnergyLedger energy;

@@ -31,12 +31,12 @@ void save(const Particles& set, const std::string& name, Writer& to) {
   write_integers(to, name + ".index_of", set.index_of);
 }
 
-/// @param cut whether there may be more particles than at the start
+/// @param varies  whether there may be more or fewer particles than at the start
 template <class Reader>
-void restore(Particles& set, const std::string& name, bool cut, const Reader& from) {
+void restore(Particles& set, const std::string& name, bool varies, const Reader& from) {
   const std::size_t before = set.size();
   read_integers(from, name + ".id", set.id);
-  if (!cut && set.id.size() != before)
+  if (!varies && set.id.size() != before)
     throw std::runtime_error(fmt::format("the checkpoint holds {} numbers of {}, the domain has {}",
                                          set.id.size(), name + ".id", before));
   set.for_fields([&](const ParticleFieldDescription& line, std::vector<double>& values) {
@@ -67,6 +67,7 @@ void save(const Domain& domain, std::span<const Particles> sets, Writer& to) {
   for (std::size_t s = 0; s < sets.size(); ++s)
     save(sets[s], "soil" + std::to_string(s), to);
   domain.boundary.save(to);
+  domain.earthworks.save(to);
   domain.contact.save(to);
   domain.linings.save(to);
   to.write("energy", domain.energy.state());
@@ -87,9 +88,10 @@ void restore(Domain& domain, const Reader& from) {
   rebuild_mesh(domain);
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const std::string name = "soil" + std::to_string(s);
-    restore(domain.sets[s], name, domain.mesh.has_value(), from);
+    restore(domain.sets[s], name, domain.mesh.has_value() || domain.earthworks.any(), from);
     require_blocks(domain, domain.sets[s], name);
   }
+  domain.earthworks.restore(domain, from);
   domain.boundary.follow_sort(domain);
   domain.boundary.restore(from);
   domain.contact.restore(from);

@@ -263,6 +263,9 @@ struct LoadStage : StaticStage {
   double shear = 0.0;    ///< along it, towards +x, Pa
   std::string structure; ///< that it acts on; empty: it lies on the surface
   Point force;           ///< on the structure's centroid, N/m
+  /// Of one that comes after a shaking, and grows within `ramp` while the ground goes on in its own time:
+  /// when it begins, of the soil's time, s; none: it comes before, in a static stage.
+  std::optional<double> start = std::nullopt;
 
   bool on_structure() const { return !structure.empty(); }
 };
@@ -277,6 +280,20 @@ struct ConstructionStage : StaticStage {
   Standing before;                  ///< what stands until it
 };
 
+/// [[stage]] kind = "construction" after a shaking: soil is placed and removed while the ground goes on in
+/// its own time.
+struct Earthwork {
+  std::string name;
+  double start = 0.0;              ///< of the soil's time, s
+  double ramp = 0.0;               ///< time in which the change grows, which is that of the stage, s
+  std::vector<std::string> place;  ///< names of regions
+  std::vector<std::string> remove; ///< likewise
+  std::vector<Region> placed;      ///< these regions
+  std::vector<Region> removed;     ///< likewise
+  Standing after;                  ///< what stands from then on
+  std::string path;                ///< of its table in messages, "stage[1]"
+};
+
 /// What a rest has besides its time: sand reconsolidates as sand that has been shaken
 /// (materials::after_shaking).
 struct Rest {
@@ -285,10 +302,12 @@ struct Rest {
   /// First interval of particle frames, of the soil's time, s; none: time_factor times that of the output.
   std::optional<double> every;
   double growth = 1.0;                 ///< of each interval of frames over the one before
+  std::vector<double> times = {};      ///< of particle frames, rising, s after the start; empty: by intervals
   std::optional<double> history_every; ///< interval of histories, likewise
 };
 
-/// [[stage]] kind = "shaking", the motion enters, its t = 0 is the start of the stage; or "rest".
+/// [[stage]] kind = "shaking", the motion enters, its t = 0 is the start of the stage; or "rest"; or a load
+/// or a construction after a shaking, in which the soil rests.
 struct TimedStage {
   std::string name;
   double start = 0.0;       ///< of the soil's time, which begins with the first shaking, s
@@ -413,9 +432,10 @@ struct Case {
   TimeStepping time;
   Boundary boundary;
   std::optional<GravityStage> gravity; ///< absent: weightless, the model starts at rest without stress
-  std::vector<LoadStage> loads;        ///< in the order in which they come
+  std::vector<LoadStage> loads;        ///< in the order in which they come, those after a shaking last
   std::vector<ConstructionStage> constructions; ///< likewise
-  std::vector<TimedStage> timed;                ///< shakings and rests in their order, a shaking first
+  std::vector<Earthwork> earthworks;            ///< constructions after a shaking, in their order
+  std::vector<TimedStage> timed;                ///< what happens in time, in its order, a shaking first
   Coupling coupling;
   Recording recording;
   Hosts hosts;

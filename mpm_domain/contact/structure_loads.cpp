@@ -58,13 +58,21 @@ StructureLoads::StructureLoads(const Spec& spec) : on_(spec.structures.size()) {
     if (!std::isfinite(load.force.x) || !std::isfinite(load.force.y))
       throw std::invalid_argument(fmt::format("the load on structure '{}' is ({}, {}) N/m; allowed: finite",
                                               load.structure, load.force.x, load.force.y));
-    loads_.push_back({static_cast<std::size_t>(found - spec.structures.begin()), load.force});
+    loads_.push_back({static_cast<std::size_t>(found - spec.structures.begin()), load.force, load.growth,
+                      load.growth ? 0.0 : 1.0});
   }
   add_up();
 }
 
 void StructureLoads::scale(std::size_t load, double share) {
   loads_[load].share = share;
+  add_up();
+}
+
+void StructureLoads::grow(double time) {
+  for (Load& load : loads_)
+    if (load.growth)
+      load.share = load.growth->share(time);
   add_up();
 }
 
@@ -83,14 +91,20 @@ void add_loads(const Contact& contact, Ground& ground) {
   });
 }
 
-std::vector<Pass> structure_load_passes(Ground& ground, const Contact& contact) {
-  const auto is_loaded = [&](const StructureLoad& load) {
+std::vector<Pass> structure_load_passes(Ground& ground, Contact& contact) {
+  const auto is_worked_on = [&](const StructureLoad& load) {
+    if (load.growth)
+      return true;
     const auto body = std::ranges::find(contact.bodies(), load.structure, &RigidBody::name);
     return contact.is_elastic(static_cast<std::size_t>(body - contact.bodies().begin()));
   };
-  if (std::ranges::none_of(ground.spec.structure_loads, is_loaded))
+  if (std::ranges::none_of(ground.spec.structure_loads, is_worked_on))
     return {};
-  std::vector<Pass> passes{{Phase::forces, "loads on structures", [&](Step&) { add_loads(contact, ground); }},
+  std::vector<Pass> passes{{Phase::forces, "loads on structures",
+                            [&](Step& step) {
+                              contact.structure_loads().grow(step.time);
+                              add_loads(contact, ground);
+                            }},
                            {Phase::books, "", [&](Step& step) {
                               const double work = step.kicks.front() * power_of_loads(contact, ground);
                               step.bookings.add([&energy = step.energy, work] { energy.static_ += work; });

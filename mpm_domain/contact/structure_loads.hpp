@@ -12,6 +12,7 @@
 #include "mpm_domain/spec/spec.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -20,12 +21,15 @@ class Contact;
 
 class StructureLoads {
 public:
-  /// Each load of the spec is at its full size.
+  /// Loads that grow while the ground is in motion do not act yet; all others are at their full size.
   /// @throws std::invalid_argument for a load on a structure that is not there, or one that is not finite
   explicit StructureLoads(const Spec& spec);
 
   /// Lets a load act with a share (1) of its size.
   void scale(std::size_t load, double share);
+  /// Lets those that grow while the ground is in motion be as large as they are at a time of the simulation,
+  /// s.
+  void grow(double time);
   /// F on a structure, all loads together, N/m.
   const Vector& on(std::size_t structure) const { return on_[structure]; }
 
@@ -33,6 +37,7 @@ private:
   struct Load {
     std::size_t structure;
     Vector force; ///< of its full size, N/m
+    std::optional<Growth> growth;
     double share = 1.0;
   };
 
@@ -45,7 +50,8 @@ private:
 /// Adds the loads on elastic bodies to the forces on their nodes.
 void add_loads(const Contact& contact, Ground& ground);
 
-/// The loads on elastic bodies in a step; none where there are none.
-std::vector<Pass> structure_load_passes(Ground& ground, const Contact& contact);
+/// The loads on structures in a step; none where there is nothing to do for them. Contact takes those on
+/// rigid bodies.
+std::vector<Pass> structure_load_passes(Ground& ground, Contact& contact);
 
 } // namespace tremolo::mpm_domain

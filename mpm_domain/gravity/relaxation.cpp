@@ -3,6 +3,7 @@
 #include "mpm_domain/dispersion/fullness.hpp"
 #include "mpm_domain/gravity/surface_line.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/spec/growth.hpp"
 #include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/strain/relaxation_stress.hpp"
@@ -57,11 +58,6 @@ private:
   double falling_;
   double half_way_ = 0.0; ///< residual at half of the time
 };
-
-/// From 0 to 1 along half of a cosine as s goes there, without a jump of velocity.
-double ramped(double s) {
-  return s < 1.0 ? 0.5 * (1.0 - std::cos(std::numbers::pi * s)) : 1.0;
-}
 
 } // namespace
 

@@ -2,19 +2,31 @@
 
 namespace tremolo::mpm_domain {
 
-void add_quarter(const Particles& from, std::size_t k, Particles& to) {
+namespace {
+
+/// Adds a particle with a share of what belongs to all of another one.
+void add_part(const Particles& from, std::size_t k, double share, Particles& to) {
   std::vector<double> values;
   from.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& of_whole) {
-    values.push_back(line.on_cut == OnCut::shared ? 0.25 * of_whole[k] : of_whole[k]);
+    values.push_back(line.on_cut == OnCut::shared ? share * of_whole[k] : of_whole[k]);
   });
   auto next = values.begin();
-  to.for_fields([&](const ParticleFieldDescription&, std::vector<double>& of_quarter) {
-    of_quarter.push_back(*next++);
-  });
+  to.for_fields(
+      [&](const ParticleFieldDescription&, std::vector<double>& of_part) { of_part.push_back(*next++); });
   const auto state = from.state.begin() + static_cast<std::ptrdiff_t>(k * from.state_size);
   to.state.insert(to.state.end(), state, state + static_cast<std::ptrdiff_t>(from.state_size));
   to.id.push_back(static_cast<std::uint32_t>(to.index_of.size()));
   to.index_of.push_back(static_cast<std::uint32_t>(to.size() - 1));
+}
+
+} // namespace
+
+void add_quarter(const Particles& from, std::size_t k, Particles& to) {
+  add_part(from, k, 0.25, to);
+}
+
+void add_copy(const Particles& from, std::size_t k, Particles& to) {
+  add_part(from, k, 1.0, to);
 }
 
 void remove(Particles& p, const std::vector<std::size_t>& gone) {

@@ -125,6 +125,8 @@ std::optional<std::string> not_for_ranks(const Spec& spec) {
     return "a lining";
   if (!spec.loads.empty())
     return "a load on the surface, which goes with particles that other ranks may have,";
+  if (!spec.earthworks.empty())
+    return "soil that is placed or removed after a shaking";
   if (spec.sides == Sides::periodic || spec.sides == Sides::periodic_springs)
     return "a domain with periodic sides";
   if (spec.scheme.dispersion == Dispersion::reduced)

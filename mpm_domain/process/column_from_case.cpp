@@ -51,6 +51,7 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   spec.linings.clear();
   spec.loads.clear();
   spec.structure_loads.clear();
+  spec.earthworks.clear();
   spec.matched_sides.clear();
   spec.springs.clear();
   const double half_space = scene::base_level(source.surface, scene::layers(scene, source));

@@ -141,11 +141,20 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                       std::ranges::any_of(scene.constructions, [](const scene::ConstructionStage& stage) {
                         return !stage.before.structures.empty();
                       });
-  for (const scene::LoadStage& load : scene.loads)
+  spec.clock = scene.clock();
+  const auto growth = [&](double start, double ramp) {
+    return Growth{spec.clock.simulated_time(start), ramp};
+  };
+  for (const scene::LoadStage& load : scene.loads) {
+    const auto grows = load.start ? std::optional(growth(*load.start, *load.ramp)) : std::nullopt;
     if (load.on_structure())
-      spec.structure_loads.push_back({load.structure, {load.force.x, load.force.y}});
+      spec.structure_loads.push_back({load.structure, {load.force.x, load.force.y}, grows});
     else
-      spec.loads.push_back({load.x_min, load.x_max, load.pressure, load.shear});
+      spec.loads.push_back({load.x_min, load.x_max, load.pressure, load.shear, grows});
+  }
+  for (const scene::Earthwork& work : scene.earthworks)
+    spec.earthworks.push_back(
+        {growth(work.start, work.ramp), regions_of(work.placed), regions_of(work.removed)});
   spec.normals = scene.mesh.contact_normals;
   spec.scheme = {.transfer = scene.time.transfer,
                  .order = scene.time.order,
@@ -173,7 +182,6 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                               springs->lags,
                               side == Side::base && base.form == scene::BaseForm::incident});
   spec.below_base = scene::ground_below_base(scene);
-  spec.clock = scene.clock();
   spec.threads = threads;
   return spec;
 }

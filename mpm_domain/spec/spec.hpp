@@ -6,6 +6,7 @@
 #include "materials/water/soil_clock.hpp"
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/fields/particle_fields.hpp"
+#include "mpm_domain/spec/growth.hpp"
 #include "mpm_domain/spec/lining.hpp"
 #include "mpm_domain/spec/numerics.hpp"
 #include "mpm_domain/spec/structure.hpp"
@@ -76,14 +77,23 @@ struct SideSprings {
 struct SurfaceLoad {
   double x_min = 0.0; ///< where it begins and ends at the start, m
   double x_max = 0.0;
-  double pressure = 0.0; ///< onto the surface, Pa
-  double shear = 0.0;    ///< along it, towards +x, Pa
+  double pressure = 0.0;             ///< onto the surface, Pa
+  double shear = 0.0;                ///< along it, towards +x, Pa
+  std::optional<Growth> growth = {}; ///< it comes while the ground is in motion; none: in a static stage
 };
 
 /// A load on a structure (contact/structure_loads.hpp).
 struct StructureLoad {
-  std::string structure; ///< its name
-  Vector force;          ///< at its centroid, N/m
+  std::string structure;             ///< its name
+  Vector force;                      ///< at its centroid, N/m
+  std::optional<Growth> growth = {}; ///< as of a SurfaceLoad
+};
+
+/// Soil that is placed and removed while the ground is in motion (earthworks/earthworks.hpp).
+struct Earthwork {
+  Growth growth;
+  std::vector<Region> place;
+  std::vector<Region> remove; ///< each of which is among `regions`, or among `place` of an earlier one
 };
 
 /// Everything the domain is built from.
@@ -102,6 +112,7 @@ struct Spec {
   std::vector<Lining> linings = {};
   std::vector<SurfaceLoad> loads = {};
   std::vector<StructureLoad> structure_loads = {};
+  std::vector<Earthwork> earthworks = {}; ///< in the order in which they come
   /// Squares of particles are cut at the edges of regions even where there are no structures, since the model
   /// of another stage has some (plot.hpp).
   bool cut_at_edges = false;

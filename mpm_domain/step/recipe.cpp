@@ -5,6 +5,7 @@
 #include "mpm_domain/boundary/walls/impervious_faces.hpp"
 #include "mpm_domain/contact/passes.hpp"
 #include "mpm_domain/contact/structure_loads.hpp"
+#include "mpm_domain/earthworks/earthworks.hpp"
 #include "mpm_domain/lining/passes.hpp"
 #include "mpm_domain/mass_damping/passes.hpp"
 #include "mpm_domain/step/node_passes.hpp"
@@ -26,6 +27,7 @@ std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
   add(face_passes(domain, domain.boundary, free_field));
   add(load_passes(domain, domain.loads));
   add(structure_load_passes(domain, domain.contact));
+  add(earthwork_passes(domain, domain.earthworks));
   add(wall_passes(domain, domain.boundary));
   add(node_books(domain));
   add(water_passes(domain));

@@ -18,13 +18,7 @@ void choose_step(Domain& domain, Step& step) {
   step.ticks.set_step(step.dt, step.kick);
 }
 
-void sort(Domain& domain, Step& step) {
-  // On a graded mesh a particle must not come near another lattice within the step either.
-  const double moves = domain.mesh ? step.max_speed * step.dt : 0.0;
-  if (step.moved + moves < domain.sort_distance()) {
-    weigh_across(domain);
-    return;
-  }
+void order(Domain& domain, Step& step) {
   if (domain.spec.periodic())
     for (Particles& set : domain.sets_of_soil())
       wrap(set, domain.spec.box);
@@ -34,6 +28,15 @@ void sort(Domain& domain, Step& step) {
   step.nodes = ClockNodes(domain);
   step.shared.restart();
   step.moved = 0.0;
+}
+
+void sort(Domain& domain, Step& step) {
+  // On a graded mesh a particle must not come near another lattice within the step either.
+  const double moves = domain.mesh ? step.max_speed * step.dt : 0.0;
+  if (step.moved + moves < domain.sort_distance())
+    weigh_across(domain);
+  else
+    order(domain, step);
 }
 
 /// One message has what this step books and what bounds the next one.
@@ -49,7 +52,12 @@ void settle(Domain& domain, Step& step) {
 } // namespace
 
 std::vector<Pass> step_passes(Domain& domain) {
-  std::vector<Pass> passes{{Phase::step_length, "time step", [&](Step& step) { choose_step(domain, step); }},
+  std::vector<Pass> passes{{Phase::step_length, "time step",
+                            [&](Step& step) {
+                              while (domain.earthworks.is_due(domain, step.time))
+                                domain.earthworks.begin(domain, [&] { order(domain, step); });
+                              choose_step(domain, step);
+                            }},
                            {Phase::sort, "sort", [&](Step& step) { sort(domain, step); }}};
   if (domain.share)
     passes.push_back({Phase::settle, "totals over ranks", [&](Step& step) { settle(domain, step); }});

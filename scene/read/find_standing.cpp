@@ -1,6 +1,7 @@
 // What stands in which stage. A name that is placed before it is removed is not there at the start; all
-// others are. Each construction keeps what stands until it, and the case what stands after the last one,
-// which is what the ground is shaken with.
+// others are. Each construction keeps what stands until it, the case what stands after the last one before
+// the shaking, which is what the ground is shaken with, and each earthwork after a shaking what it places and
+// removes, and what stands from then on.
 
 #include "scene/read/read.hpp"
 #include "scene/text/nearest.hpp"
@@ -23,7 +24,7 @@ namespace {
 /// Whether what has a name stands, and where that was last changed.
 struct State {
   bool stands = true;
-  const ConstructionStage* changed = nullptr;
+  std::string changed = {}; ///< in the stage of this name; empty: never
 };
 
 using States = std::map<std::string, State, std::less<>>;
@@ -37,13 +38,15 @@ States states_at_start(const Case& scene) {
   for (const Structure& structure : scene.structures)
     states.try_emplace(structure.name);
   std::set<std::string_view> seen;
-  for (const ConstructionStage& stage : scene.constructions) {
+  const auto follow = [&](const auto& stage) {
     for (const std::string& name : stage.remove)
       seen.insert(name);
     for (const std::string& name : stage.place)
       if (const auto state = states.find(name); state != states.end() && seen.insert(name).second)
         state->second.stands = false;
-  }
+  };
+  std::ranges::for_each(scene.constructions, follow);
+  std::ranges::for_each(scene.earthworks, follow);
   return states;
 }
 
@@ -69,7 +72,8 @@ void refuse_shared_names(const Case& scene, Findings& findings) {
 }
 
 /// Changes what a stage places or removes.
-void change(States& states, const ConstructionStage& stage, bool places, Findings& findings) {
+template <class Stage>
+void change(States& states, const Stage& stage, bool places, Findings& findings) {
   const std::string path = stage.path + (places ? ".place" : ".remove");
   for (const std::string& name : places ? stage.place : stage.remove) {
     const auto found = states.find(name);
@@ -83,15 +87,28 @@ void change(States& states, const ConstructionStage& stage, bool places, Finding
     }
     State& state = found->second;
     if (state.stands == places) {
-      const std::string since = state.changed != nullptr
-                                    ? fmt::format("since the stage '{}'", state.changed->name)
-                                    : std::string(places ? "from the start" : "yet");
+      const std::string since = !state.changed.empty() ? fmt::format("since the stage '{}'", state.changed)
+                                                       : std::string(places ? "from the start" : "yet");
       findings.add(path, places ? fmt::format("'{}' stands already, {}", name, since)
                                 : fmt::format("'{}' cannot go: it is not there {}", name, since));
       continue;
     }
-    state = {places, &stage};
+    state = {places, stage.name};
   }
+}
+
+/// The regions of these names; structures are refused.
+std::vector<Region> regions_of(const Case& scene, const std::vector<std::string>& names,
+                               const std::string& path, Findings& findings) {
+  std::vector<Region> regions;
+  for (const std::string& name : names) {
+    if (std::ranges::find(scene.structures, name, &Structure::name) != scene.structures.end())
+      findings.add(
+          path, fmt::format("'{}' is a structure: after a shaking soil alone is placed and removed", name));
+    std::ranges::copy_if(scene.regions, std::back_inserter(regions),
+                         [&](const Region& region) { return region.name == name; });
+  }
+  return regions;
 }
 
 /// Monitors ride on structures by their number among those that stand at last.
@@ -116,7 +133,7 @@ void renumber_monitors(Case& scene, const Standing& end, Findings& findings) {
 } // namespace
 
 void find_standing(Case& scene, Findings& findings) {
-  if (scene.constructions.empty())
+  if (scene.constructions.empty() && scene.earthworks.empty())
     return;
   refuse_shared_names(scene, findings);
   States states = states_at_start(scene);
@@ -128,6 +145,13 @@ void find_standing(Case& scene, Findings& findings) {
     change(states, stage, true, findings);
   }
   Standing end = standing(scene, states);
+  for (Earthwork& work : scene.earthworks) {
+    work.placed = regions_of(scene, work.place, work.path + ".place", findings);
+    work.removed = regions_of(scene, work.remove, work.path + ".remove", findings);
+    change(states, work, false, findings);
+    change(states, work, true, findings);
+    work.after = standing(scene, states);
+  }
   renumber_monitors(scene, end, findings);
   scene.regions = std::move(end.regions);
   scene.structures = std::move(end.structures);

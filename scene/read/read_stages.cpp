@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -48,6 +49,30 @@ void read_drainage(StaticStage& stage, const TableReader& table, const std::stri
         "the level up to which soil stays wet is one");
 }
 
+/// When a load or a construction after a shaking begins; it grows within `ramp_s` while the ground goes on in
+/// its own time, and soil rests.
+/// @returns when that is, of the soil's time, s
+double read_in_time(const TableReader& table, const std::string& name, Case& scene, Findings& findings) {
+  for (const char* const key : {"residual", "max_time_s", "drainage"})
+    if (table.given(key))
+      findings.add(
+          table.path(key),
+          fmt::format("'{}' is of stages before the shaking, which relax to rest: after it the ground "
+                      "goes on in its own time, and water flows as it does; leave it out",
+                      key));
+  if (!table.given("ramp_s"))
+    findings.add(table.path("ramp_s"),
+                 "missing 'ramp_s': after a shaking the change grows in the soil's own time, and the stage "
+                 "lasts as long");
+  const double start = scene.end_of_soil_time();
+  scene.timed.push_back({.name = name,
+                         .start = start,
+                         .duration = table.optional_number("ramp_s").value_or(1.0),
+                         .rest = Rest{},
+                         .path = table.path()});
+  return start;
+}
+
 /// What static stages after gravity have in common.
 void read_static(StaticStage& stage, const TableReader& table, const std::string& name, const Case& so_far,
                  Findings& findings) {
@@ -59,8 +84,10 @@ void read_static(StaticStage& stage, const TableReader& table, const std::string
   const std::string kind = table.text("kind");
   read_drainage(stage, table, kind, findings);
   const char* const suffix = kind == "water" ? " stage" : "";
-  if (!so_far.timed.empty())
-    findings.add(table.path("kind"), fmt::format("a {}{} must come before the shaking stage", kind, suffix));
+  if (!so_far.timed.empty() && kind == "water")
+    findings.add(table.path("kind"),
+                 "a water stage must come before the shaking stage: after it water flows in "
+                 "its own time, and the free fields keep their level");
   else if (!so_far.gravity)
     findings.add(table.path("kind"),
                  fmt::format("a {}{} must come after a gravity stage, whose relaxation it goes on with", kind,
@@ -135,11 +162,25 @@ void read_shaking_motion(const TableReader& table, bool first, Case& scene, Find
   scene.motion.shakings.push_back(std::move(shaking));
 }
 
-Rest read_rest(const TableReader& table) {
+Rest read_rest(const TableReader& table, Findings& findings) {
+  for (const char* const key : {"every_s", "growth"})
+    if (table.given("times_s") && table.given(key))
+      findings.add(
+          table.path(key),
+          fmt::format("'{}' and 'times_s' both say when frames are written: leave one of both out", key));
+  const std::vector<double> times = table.numbers("times_s");
+  if (!std::ranges::is_sorted(times, std::less_equal<>()) || (!times.empty() && !(times.front() > 0.0)))
+    findings.add(table.path("times_s"),
+                 "'times_s' must rise, from more than 0 s: times after the start of the rest");
+  else if (!times.empty() && times.back() > table.number("duration_s"))
+    findings.add(table.path("times_s"),
+                 fmt::format("'times_s' goes to {:g} s, and the rest ends after {:g} s", times.back(),
+                             table.number("duration_s")));
   return {.time_factor = table.number("time_factor"),
           .until_ratio = table.optional_number("until_ratio"),
           .every = table.optional_number("every_s"),
           .growth = table.number("growth"),
+          .times = times,
           .history_every = table.optional_number("history_every_s")};
 }
 
@@ -161,6 +202,20 @@ ConstructionStage read_change_of_water(const TableReader& table, const Case& so_
   return change;
 }
 
+Earthwork read_earthwork(const TableReader& table, const std::string& name, Case& scene, Findings& findings) {
+  ConstructionStage construction = read_construction(table, scene, findings);
+  const double start = read_in_time(table, name, scene, findings);
+  return {.name = name,
+          .start = start,
+          .ramp = scene.timed.back().duration,
+          .place = std::move(construction.place),
+          .remove = std::move(construction.remove),
+          .placed = {},
+          .removed = {},
+          .after = {},
+          .path = table.path()};
+}
+
 bool is_shaken(const Case& so_far) {
   return std::ranges::any_of(so_far.timed, [](const TimedStage& stage) { return !stage.rest; });
 }
@@ -174,7 +229,7 @@ void read_timed(const TableReader& table, const std::string& name, Case& scene, 
   scene.timed.push_back({.name = name,
                          .start = scene.end_of_soil_time(),
                          .duration = table.number("duration_s"),
-                         .rest = rests ? std::optional(read_rest(table)) : std::nullopt,
+                         .rest = rests ? std::optional(read_rest(table, findings)) : std::nullopt,
                          .path = table.path()});
   if (const auto motion = table.table("motion"))
     read_shaking_motion(*motion, first, scene, findings);
@@ -207,10 +262,15 @@ void read_stages(Document& document, Findings& findings, Case& scene) {
     }
     if (kind == "load") {
       LoadStage load = read_load(table, findings);
-      read_static(load, table, name_of_stage(), scene, findings);
+      const std::string name = name_of_stage();
+      read_static(load, table, name, scene, findings);
+      if (is_shaken(scene))
+        load.start = read_in_time(table, name, scene, findings);
       scene.loads.push_back(std::move(load));
     }
-    if (kind == "construction" || kind == "water") {
+    if (kind == "construction" && is_shaken(scene)) {
+      scene.earthworks.push_back(read_earthwork(table, name_of_stage(), scene, findings));
+    } else if (kind == "construction" || kind == "water") {
       ConstructionStage construction = kind == "water" ? read_change_of_water(table, scene, findings)
                                                        : read_construction(table, scene, findings);
       read_static(construction, table, name_of_stage(), scene, findings);

@@ -70,11 +70,14 @@ Vector way(Vector from, Vector to, const Spec& spec) {
 SurfaceLoads::SurfaceLoads(Ground& ground) : share_(ground.spec.loads.size(), 1.0) {
   if (ground.spec.loads.empty())
     return;
+  for (std::size_t load = 0; load < share_.size(); ++load)
+    if (ground.spec.loads[load].growth)
+      share_[load] = 0.0;
   const Box& box = ground.spec.box;
   const double width = particle_size(ground.spec, ground.mesh ? ground.mesh->tree().finest() : 0);
   const auto surface = surface_of(ground, width);
   for (std::size_t load = 0; load < share_.size(); ++load) {
-    const auto& [x_min, x_max, pressure, shear] = ground.spec.loads[load];
+    const auto& [x_min, x_max, pressure, shear, growth] = ground.spec.loads[load];
     std::optional<Uppermost> last;
     for (std::size_t c = 0; c < surface.size(); ++c) {
       const double left = std::max(x_min, box.x_min + static_cast<double>(c) * width);
@@ -100,12 +103,18 @@ SurfaceLoads::SurfaceLoads(Ground& ground) : share_(ground.spec.loads.size(), 1.
     keep_whole(ground, face.set, face.id);
 }
 
+void SurfaceLoads::grow(const Spec& spec, double time) {
+  for (std::size_t load = 0; load < share_.size(); ++load)
+    if (const auto& growth = spec.loads[load].growth)
+      share_[load] = growth->share(time);
+}
+
 void SurfaceLoads::follow(const Ground& ground) {
   BoundaryFace level; // of the base: it lies along x, as the line does
   level.side = Side::base;
   for (std::size_t first = 0; first < faces_.size();) {
     const std::size_t load = faces_[first].load;
-    const auto& [x_min, x_max, pressure, shear] = ground.spec.loads[load];
+    const auto& [x_min, x_max, pressure, shear, growth] = ground.spec.loads[load];
     std::size_t end = first;
     std::vector<LoadedEdge> edges;
     for (; end < faces_.size() && faces_[end].load == load; ++end)
@@ -178,7 +187,8 @@ std::vector<Pass> load_passes(Ground& ground, SurfaceLoads& loads) {
   if (!loads.any())
     return {};
   std::vector<Pass> passes{{Phase::forces, "surface loads",
-                            [&](Step&) {
+                            [&](Step& step) {
+                              loads.grow(ground.spec, step.time);
                               loads.follow(ground);
                               loads.add(ground.grid);
                             }},

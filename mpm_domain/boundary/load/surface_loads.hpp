@@ -38,7 +38,8 @@ struct LoadedFace {
 
 class SurfaceLoads {
 public:
-  /// Finds the particles that carry the loads of the spec, each of which is at its full size.
+  /// Finds the particles that carry the loads of the spec. Those that grow while the ground is in motion do
+  /// not act yet; all others are at their full size.
   /// @param ground  at the start
   /// @throws std::invalid_argument for a load with no soil below it
   explicit SurfaceLoads(Ground& ground);
@@ -49,6 +50,9 @@ public:
 
   /// Lets a load act with a share (1) of its size.
   void scale(std::size_t load, double share) { share_[load] = share; }
+  /// Lets those that grow while the ground is in motion be as large as they are at a time of the simulation,
+  /// s.
+  void grow(const Spec& spec, double time);
   /// Brings forces and weights to where the soil is.
   void follow(const Ground& ground);
   /// Adds the forces to those of the nodes.

@@ -11,10 +11,11 @@ Table stage_table() {
       .name = "stage",
       .kind = Kind::array,
       .required = true,
-      .meaning = "The stages in their order: at most one of gravity, then any number of loads, "
-                 "constructions and changes of the water, then one of shaking, then any number of rests and "
-                 "further shakings. Without a gravity stage the "
-                 "model is weightless. See docs/stages.md.",
+      .meaning =
+          "The stages in their order: at most one of gravity, then any number of loads, "
+          "constructions and changes of the water, then one of shaking, then any number of rests, loads, "
+          "constructions and further shakings. Without a gravity stage the "
+          "model is weightless. See docs/stages.md.",
       .keys = {
           choice(
               "kind", {"gravity", "load", "construction", "water", "shaking", "rest"},
@@ -22,7 +23,8 @@ Table stage_table() {
               "model then acts as static traction. `load`: a load comes onto the surface, or onto a "
               "structure, and stays, and the ground comes to rest under it in the same way. `construction`: "
               "soil and structures are placed "
-              "and removed, likewise. `water`: it has other levels, likewise. `shaking`: the motion enters, "
+              "and removed, likewise. After a shaking both happen while the ground goes on in its own time. "
+              "`water`: it has other levels, likewise. `shaking`: the motion enters, "
               "t = 0 at its "
               "start. `rest`: "
               "strong motion is over and sand reconsolidates, with the stiffness that `pm4sand` has after "
@@ -109,9 +111,12 @@ Table stage_table() {
            .when = {"kind", {"load"}}},
           {.name = "ramp_s",
            .unit = "s",
-           .meaning = "Time in which the change grows, along half of a cosine.",
+           .meaning = "Time in which the change grows, along half of a cosine. After a shaking it is the "
+                      "soil's own, "
+                      "and the stage lasts as long.",
            .otherwise =
-               "five periods 4 H/c_s of the ground, with the depth H of the mesh and its slowest soil",
+               "five periods 4 H/c_s of the ground, with the depth H of the mesh and its slowest soil; "
+               "required after a shaking",
            .range = {.low = 0.0, .high = 1e4, .low_open = true},
            .when = {"kind", {"load", "construction", "water"}}},
           {.name = "duration_s",
@@ -149,6 +154,13 @@ Table stage_table() {
                "than 1 the frames stand at equal distances on a logarithmic axis.",
            .fallback = "1",
            .range = {.low = 1.0, .high = 10.0},
+           .when = {"kind", {"rest"}}},
+          {.name = "times_s",
+           .type = Type::series,
+           .unit = "s",
+           .meaning = "Times after the start of the rest at which particle frames are written, rising.",
+           .otherwise = "at the intervals of `every_s`",
+           .range = {.low = 0.0, .high = 1e7, .low_open = true},
            .when = {"kind", {"rest"}}},
           {.name = "history_every_s",
            .unit = "s",

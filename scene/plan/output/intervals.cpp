@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tremolo::scene {
 
@@ -28,14 +29,25 @@ double row_interval(const Case& scene, const TimedStage& stage) {
   return stage.rest ? stage.rest->history_every.value_or(stage.rest->time_factor * every) : every;
 }
 
-/// The first time after `time` at which something is due. Times that have passed meanwhile are left out, and
-/// each stage begins with one.
-double next(const Case& scene, double due, double every, double time) {
-  const double next = due + every * std::max(1.0, std::ceil((time - due) / every));
+/// A time at which something is due after `time`, or the start of a stage before it: each begins with one.
+double or_start_of_stage(const Case& scene, double due, double time) {
   for (const TimedStage& stage : scene.timed)
-    if (time < stage.start && next > stage.start)
+    if (time < stage.start && due > stage.start)
       return stage.start;
-  return next;
+  return due;
+}
+
+/// The first time after `time` at which something is due. Times that have passed meanwhile are left out.
+double next(const Case& scene, double due, double every, double time) {
+  return or_start_of_stage(scene, due + every * std::max(1.0, std::ceil((time - due) / every)), time);
+}
+
+/// The first of the given times of a rest after `time`; none of them: never.
+double next_given(const TimedStage& stage, double time) {
+  for (const double after_start : stage.rest->times)
+    if (stage.start + after_start > time)
+      return stage.start + after_start;
+  return std::numeric_limits<double>::infinity();
 }
 
 } // namespace
@@ -47,6 +59,8 @@ const TimedStage& stage_at(const Case& scene, double time) {
 
 double next_frame(const Case& scene, double due, double time) {
   const TimedStage& stage = stage_at(scene, due);
+  if (stage.rest && !stage.rest->times.empty())
+    return or_start_of_stage(scene, next_given(stage, std::max(due, time)), time);
   const double first = first_frame_interval(scene, stage);
   return next(scene, due, stage.rest ? first + (stage.rest->growth - 1.0) * (due - stage.start) : first,
               time);
@@ -58,10 +72,15 @@ double next_row(const Case& scene, double due, double time) {
 
 std::int64_t most_frames(const Case& scene, double dt) {
   double frames = 0.0;
-  for (const TimedStage& stage : scene.timed)
+  for (const TimedStage& stage : scene.timed) {
+    if (stage.rest && !stage.rest->times.empty()) {
+      frames += static_cast<double>(stage.rest->times.size()) + 1.0;
+      continue;
+    }
     frames += intervals_in(stage.duration, std::max(first_frame_interval(scene, stage), dt),
                            stage.rest ? stage.rest->growth : 1.0) +
               1.0;
+  }
   return std::llround(frames);
 }
 

@@ -34,27 +34,37 @@ std::string relaxation(const Case& scene, const StaticStage& stage) {
                      ramp_of(scene, stage), drainage_text(stage), stage.residual, stage.max_time);
 }
 
-PlannedStage construction(const Case& scene, const ConstructionStage& stage) {
+/// "removes 'pit', places 'cellar'"
+std::string change_text(const std::vector<std::string>& remove, const std::vector<std::string>& place) {
   const auto list = [](const char* does, const std::vector<std::string>& names) {
     std::string text;
     for (const std::string& name : names)
       text += fmt::format("{}'{}'", text.empty() ? std::string(does) + " " : ", ", name);
     return text;
   };
-  const std::string removed = list("removes", stage.remove);
-  const std::string placed = list("places", stage.place);
+  const std::string removed = list("removes", remove);
+  const std::string placed = list("places", place);
+  return removed + (removed.empty() || placed.empty() ? "" : ", ") + placed;
+}
+
+PlannedStage construction(const Case& scene, const ConstructionStage& stage) {
   if (stage.water)
     return {stage.name, "water", table_text(*stage.water), relaxation(scene, stage)};
-  return {stage.name, "construction", removed + (removed.empty() || placed.empty() ? "" : ", ") + placed,
-          relaxation(scene, stage)};
+  return {stage.name, "construction", change_text(stage.remove, stage.place), relaxation(scene, stage)};
+}
+
+/// How long a change lasts that comes after a shaking.
+std::string in_time(double ramp, double start) {
+  return fmt::format("grows in {:g} s of the soil's own time, from {:g} s", ramp, start);
 }
 
 PlannedStage load(const Case& scene, const LoadStage& stage) {
+  const std::string lasts = stage.start ? in_time(*stage.ramp, *stage.start) : relaxation(scene, stage);
   if (stage.on_structure())
     return {stage.name, "load",
             fmt::format("force of [{:g}, {:g}] N/m on the structure '{}', which stays", stage.force.x,
                         stage.force.y, stage.structure),
-            relaxation(scene, stage)};
+            lasts};
   std::string what;
   if (stage.pressure != 0.0)
     what = fmt::format("pressure of {:g} Pa", stage.pressure);
@@ -63,7 +73,7 @@ PlannedStage load(const Case& scene, const LoadStage& stage) {
   return {
       stage.name, "load",
       fmt::format("{} on the surface from x = {:g} to {:g} m, which stays", what, stage.x_min, stage.x_max),
-      relaxation(scene, stage)};
+      lasts};
 }
 
 PlannedStage shaking(const Case& scene, const TimedStage& stage) {
@@ -86,6 +96,16 @@ PlannedStage rest(const TimedStage& stage) {
   return {stage.name, "rest", changes, lasts};
 }
 
+PlannedStage timed(const Case& scene, const TimedStage& stage) {
+  if (const auto work = std::ranges::find(scene.earthworks, stage.name, &Earthwork::name);
+      work != scene.earthworks.end())
+    return {work->name, "construction", change_text(work->remove, work->place),
+            in_time(work->ramp, work->start)};
+  if (const auto of = std::ranges::find(scene.loads, stage.name, &LoadStage::name); of != scene.loads.end())
+    return load(scene, *of);
+  return stage.rest ? rest(stage) : shaking(scene, stage);
+}
+
 } // namespace
 
 double slow_ramp(const Case& scene) {
@@ -105,7 +125,7 @@ std::vector<BeforeShaking> static_stages(const Case& scene) {
   for (std::size_t loads = 0; loads <= scene.loads.size(); ++loads) {
     for (; next != scene.constructions.end() && next->loads_before == loads; ++next)
       all.emplace_back(&*next);
-    if (loads < scene.loads.size())
+    if (loads < scene.loads.size() && !scene.loads[loads].start)
       all.emplace_back(&scene.loads[loads]);
   }
   return all;
@@ -117,6 +137,13 @@ Case before_construction(const Case& scene, const ConstructionStage& constructio
   then.structures = construction.before.structures;
   then.water = construction.before.water;
   then.loads.resize(construction.loads_before);
+  return then;
+}
+
+Case after_earthwork(const Case& scene, const Earthwork& work) {
+  Case then = scene;
+  then.regions = work.after.regions;
+  then.structures = work.after.structures;
   return then;
 }
 
@@ -137,7 +164,7 @@ std::vector<PlannedStage> stages(const Case& scene) {
                       ? load(scene, *std::get<const LoadStage*>(stage))
                       : construction(scene, *std::get<const ConstructionStage*>(stage)));
   for (const TimedStage& stage : scene.timed)
-    all.push_back(stage.rest ? rest(stage) : shaking(scene, stage));
+    all.push_back(timed(scene, stage));
   return all;
 }
 

@@ -33,6 +33,9 @@ Case before_construction(const Case& scene, const ConstructionStage& constructio
 /// construction.
 Case model_of_stage(const Case& scene, std::size_t stage);
 
+/// The case with the model as an earthwork after a shaking leaves it.
+Case after_earthwork(const Case& scene, const Earthwork& work);
+
 std::vector<PlannedStage> stages(const Case& scene);
 
 /// A line for each stage.

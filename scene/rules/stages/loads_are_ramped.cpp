@@ -10,18 +10,23 @@
 namespace tremolo::scene {
 
 void loads_are_ramped(const Case& scene, Findings& findings) {
-  const auto look = [&](const StaticStage& stage, const char* what) {
-    if (const double least = slow_ramp(scene); stage.ramp && *stage.ramp < (1.0 - 1e-9) * least)
+  const double least = slow_ramp(scene);
+  const auto look = [&](const auto& stage, double ramp, const char* what, const char* remedy) {
+    if (ramp < (1.0 - 1e-9) * least)
       findings.add(stage.path + ".ramp_s",
                    fmt::format("the {} '{}' comes within {:g} s, less than five periods 4 H/c_s of the "
-                               "ground, {:.3g} s: soil may yield where the ground overshoots; without "
-                               "'ramp_s' it takes as long as that",
-                               what, stage.name, *stage.ramp, least));
+                               "ground, {:.3g} s: soil may yield where the ground overshoots; {}",
+                               what, stage.name, ramp, least, remedy));
   };
+  const char* const without = "without 'ramp_s' it takes as long as that";
+  const char* const longer = "take as long as that";
   for (const LoadStage& load : scene.loads)
-    look(load, "load");
+    look(load, ramp_of(scene, load), "load", load.start ? longer : without);
   for (const ConstructionStage& construction : scene.constructions)
-    look(construction, construction.water ? "change of the water" : "construction");
+    look(construction, ramp_of(scene, construction),
+         construction.water ? "change of the water" : "construction", without);
+  for (const Earthwork& work : scene.earthworks)
+    look(work, work.ramp, "construction", longer);
 }
 
 } // namespace tremolo::scene

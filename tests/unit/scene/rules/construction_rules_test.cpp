@@ -94,9 +94,7 @@ TEST(Constructions, NameWhatIsThere) {
       Contains(HasSubstr("has the name 'pit' too")));
 }
 
-TEST(Constructions, ComeBetweenGravityAndShaking) {
-  EXPECT_THAT(errors_of(built(bank) + dig),
-              ElementsAre(HasSubstr("a construction must come before the shaking stage")));
+TEST(Constructions, ComeAfterGravity) {
   EXPECT_THAT(errors_of(with("[[stage]]\nkind = \"gravity\"\n", "", built(bank))),
               ElementsAre(HasSubstr("a construction must come after a gravity stage")));
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tremolo::scene::testing {
 namespace {
@@ -79,6 +80,22 @@ TEST(Rest, BeginsWithAFrame) {
     times.push_back(next_frame(scene, times.back(), times.back() + 0.01)); // written a little late
   EXPECT_THAT(times, ElementsAre(0.0, 0.75, 1.5, 2.0, 3.0, 4.5, 6.75, 10.125));
   EXPECT_EQ(next_row(scene, 1.995, 1.999), 2.0);
+}
+
+TEST(Rest, HasFramesAtGivenTimes) {
+  const Case scene = parse_case(plus("[output]\nevery_s = 1.0\n" + rest("times_s = [0.5, 10, 60.0]\n")));
+  std::vector<double> times{0.0};
+  while (times.back() < 62.0)
+    times.push_back(next_frame(scene, times.back(), times.back() + 0.01)); // written a little late
+  EXPECT_THAT(times, ElementsAre(0.0, 1.0, 2.0, 2.5, 12.0, 62.0));
+  EXPECT_EQ(next_frame(scene, 62.0, 62.01), std::numeric_limits<double>::infinity()); // but for the last one
+  EXPECT_EQ(plan(scene).frames, 3 + 4);
+  EXPECT_THAT(errors_of(plus(rest("times_s = [10.0, 5.0]\n"))),
+              ElementsAre(HasSubstr("'times_s' must rise, from more than 0 s")));
+  EXPECT_THAT(errors_of(plus(rest("times_s = [10.0, 500.0]\n"))),
+              ElementsAre(HasSubstr("'times_s' goes to 500 s, and the rest ends after 100 s")));
+  EXPECT_THAT(errors_of(plus(rest("times_s = [10.0]\nevery_s = 1.0\n"))),
+              ElementsAre(HasSubstr("'every_s' and 'times_s' both say when frames are written")));
 }
 
 TEST(Rest, WithATimeFactorIsShorterToSimulate) {

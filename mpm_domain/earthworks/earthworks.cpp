@@ -1,0 +1,128 @@
+#include "mpm_domain/earthworks/earthworks.hpp"
+
+#include "mesh/polygon.hpp"
+#include "mpm_domain/earthworks/placing.hpp"
+#include "mpm_domain/particles/change_of_set.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+bool is_same(const Region& a, const Region& b) {
+  return a.soil == b.soil && std::ranges::equal(a.polygon, b.polygon, [](const Vector& p, const Vector& q) {
+           return p.x == q.x && p.y == q.y;
+         });
+}
+
+bool has(const std::vector<Region>& regions, const Region& region) {
+  return std::ranges::any_of(regions, [&](const Region& other) { return is_same(other, region); });
+}
+
+} // namespace
+
+Earthworks::Earthworks(Ground& ground) : going_(ground.spec.earthworks.size()) {
+  if (!any())
+    return;
+  if (ground.spec.scheme.subcycle || ground.is_sharp())
+    throw std::invalid_argument("earthworks after a shaking go neither with sub-cycling nor with reduced "
+                                "dispersion");
+  for (std::size_t e = 0; e < going_.size(); ++e) {
+    for (const Region& region : ground.spec.earthworks[e].place)
+      soil_to_place(ground, region); // refuses what could not be placed, before the ground is shaken
+    for (const Region& region : ground.spec.earthworks[e].remove) {
+      if (!has(ground.spec.regions, region))
+        continue; // it is to be placed yet
+      for (std::size_t s = 0; s < ground.soil_sets; ++s) {
+        const Particles& set = ground.sets[s];
+        for (std::size_t k = 0; k < set.size(); ++k)
+          if (mesh::inside(region.polygon, set.x[k], set.y[k])) {
+            if (set.water)
+              throw std::invalid_argument(fmt::format(
+                  "soil that is removed while the ground is in motion lies below the water at x = "
+                  "{:.6g} m, y = {:.6g} m; allowed: above it",
+                  set.x[k], set.y[k]));
+            add_going(ground, e, s, set.id[k]);
+          }
+      }
+    }
+  }
+}
+
+void Earthworks::begin(Ground& ground, const std::function<void()>& order) {
+  order();
+  const auto before = node_loads(ground);
+  remove(ground);
+  place(ground);
+  order();
+  held_ = HeldForces(before, node_loads(ground));
+  ++begun_;
+}
+
+double Earthworks::share_held(const Ground& ground, double time) const {
+  return begun_ == 0 ? 0.0 : 1.0 - ground.spec.earthworks[begun_ - 1].growth.share(time);
+}
+
+void Earthworks::add_going(Ground& ground, std::size_t earthwork, std::size_t set, std::uint32_t id) {
+  keep_whole(ground, set, id);
+  going_[earthwork].push_back({set, id});
+}
+
+void Earthworks::remove(Ground& ground) {
+  std::vector<std::vector<std::size_t>> gone(ground.soil_sets);
+  for (const auto& [s, id] : going_[begun_])
+    gone[s].push_back(ground.sets[s].index_of[id]);
+  for (std::size_t s = 0; s < gone.size(); ++s) {
+    std::ranges::sort(gone[s]);
+    if (!gone[s].empty())
+      mpm_domain::remove(ground.sets[s], gone[s]);
+  }
+}
+
+void Earthworks::place(Ground& ground) {
+  const std::vector<Earthwork>& all = ground.spec.earthworks;
+  std::vector<std::pair<std::vector<Particles>, const Region*>> coming; // none settles on another one
+  for (const Region& region : all[begun_].place)
+    coming.emplace_back(soil_to_place(ground, region), &region);
+  for (const auto& [sets, region] : coming)
+    for (std::size_t s = 0; s < sets.size(); ++s)
+      for (std::size_t k = 0; k < sets[s].size(); ++k) {
+        Particles& set = ground.sets[s];
+        add_copy(sets[s], k, set);
+        for (std::size_t later = begun_ + 1; later < all.size(); ++later)
+          if (has(all[later].remove, *region))
+            add_going(ground, later, s, set.id.back());
+      }
+}
+
+std::vector<Pass> earthwork_passes(Ground& ground, const Earthworks& earthworks) {
+  if (!earthworks.any())
+    return {};
+  const auto share = [&](const Step& step) { return earthworks.share_held(ground, step.time); };
+  std::vector<Pass> passes{{Phase::forces, "earthworks",
+                            [&, share](Step& step) {
+                              if (const double held = share(step); held > 0.0)
+                                earthworks.held().act(ground, held);
+                            }},
+                           {Phase::books, "", [&, share](Step& step) {
+                              if (const double held = share(step); held > 0.0) {
+                                const double work =
+                                    step.kicks.front() * earthworks.held().power(ground, held);
+                                step.bookings.add([&energy = step.energy, work] { energy.static_ += work; });
+                              }
+                            }}};
+  if (ground.is_remapped())
+    passes.push_back({Phase::remap, "", [&, share](Step& step) {
+                        if (const double held = share(step); held > 0.0)
+                          step.remap_power[0][0].add(earthworks.held().remap_power(ground, held));
+                      }});
+  return passes;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,101 @@
+#include "mpm_domain/earthworks/held_forces.hpp"
+
+#include "mpm_domain/transfer/scatter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Number of the node of a lattice at the left or the lower edge of the model.
+int first_in_model(double edge, double origin, double h) {
+  return static_cast<int>(std::lround((edge - origin) / h));
+}
+
+} // namespace
+
+std::map<NodePlace, NodeLoad> node_loads(Ground& ground) {
+  scatter(ground, ScatterPart::both);
+  const Grid& grid = ground.grid;
+  std::map<NodePlace, NodeLoad> loads;
+  for (int level = 0; level < ground.soil_lattice_count(); ++level) {
+    const Lattice& lattice = ground.lattice(level);
+    const int left = first_in_model(ground.spec.box.x_min, lattice.x0, lattice.h);
+    const int low = first_in_model(ground.spec.box.y_min, lattice.y0, lattice.h);
+    for (int j = 0; j < lattice.ny; ++j)
+      for (int i = 0; i < lattice.nx; ++i)
+        if (const std::size_t n = lattice.index(i, j); grid.mass[n] > 0.0)
+          loads[{level, i - left, j - low}] = {grid.mass[n], {grid.force_x[n], grid.force_y[n]}};
+  }
+  return loads;
+}
+
+HeldForces::HeldForces(const std::map<NodePlace, NodeLoad>& before,
+                       const std::map<NodePlace, NodeLoad>& after) {
+  for (const auto& [place, now] : after) {
+    const auto found = before.find(place);
+    const NodeLoad had = found == before.end() ? NodeLoad{now.mass, {}} : found->second;
+    const double share = std::min(1.0, now.mass / had.mass);
+    const Vector lacking{share * had.force.x - now.force.x, share * had.force.y - now.force.y};
+    if (lacking.x != 0.0 || lacking.y != 0.0)
+      forces_[place] = lacking;
+  }
+}
+
+template <class Act>
+void HeldForces::over_nodes(const Ground& ground, double share, const Act& act) const {
+  for (const auto& [place, force] : forces_) {
+    const auto& [level, i, j] = place;
+    const Lattice& lattice = ground.lattice(level);
+    act(lattice.index(i + first_in_model(ground.spec.box.x_min, lattice.x0, lattice.h),
+                      j + first_in_model(ground.spec.box.y_min, lattice.y0, lattice.h)),
+        Vector{share * force.x, share * force.y});
+  }
+}
+
+void HeldForces::act(Ground& ground, double share) const {
+  over_nodes(ground, share, [&](std::size_t n, const Vector& force) {
+    ground.grid.force_x[n] += force.x;
+    ground.grid.force_y[n] += force.y;
+  });
+}
+
+double HeldForces::power(const Ground& ground, double share) const {
+  const Grid& grid = ground.grid;
+  double power = 0.0;
+  over_nodes(ground, share, [&](std::size_t n, const Vector& force) {
+    power += 0.5 * (force.x * (grid.vx_before[n] + grid.vx_after[n]) +
+                    force.y * (grid.vy_before[n] + grid.vy_after[n]));
+  });
+  return power;
+}
+
+double HeldForces::remap_power(const Ground& ground, double share) const {
+  const Grid& grid = ground.grid;
+  double power = 0.0;
+  over_nodes(ground, share, [&](std::size_t n, const Vector& force) {
+    power +=
+        force.x * (grid.vx_strain[n] - grid.vx_after[n]) + force.y * (grid.vy_strain[n] - grid.vy_after[n]);
+  });
+  return power;
+}
+
+std::vector<double> HeldForces::state() const {
+  std::vector<double> numbers;
+  for (const auto& [place, force] : forces_)
+    numbers.insert(numbers.end(), {static_cast<double>(place[0]), static_cast<double>(place[1]),
+                                   static_cast<double>(place[2]), force.x, force.y});
+  return numbers;
+}
+
+void HeldForces::set_state(const std::vector<double>& state) {
+  forces_.clear();
+  for (std::size_t n = 0; n + 4 < state.size(); n += 5)
+    forces_[{static_cast<int>(state[n]), static_cast<int>(state[n + 1]), static_cast<int>(state[n + 2])}] = {
+        state[n + 3], state[n + 4]};
+}
+
+} // namespace tremolo::mpm_domain

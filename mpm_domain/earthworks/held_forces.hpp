@@ -1,0 +1,59 @@
+#pragma once
+
+// Forces on nodes that make up for a change of the particles, and go to zero along half of a cosine. With
+// mass and force of a node before the change, m0 and f0, and after it, m1 and f1,
+//
+//     c = min(1, m1/m0) f0 - f1,
+//
+// so that the node goes on as it did: with the force that it had while it has as much mass, and with the
+// acceleration that it had where it has less. A node that is left with next to nothing would be thrown by
+// what a heavier one had.
+//
+// Nodes are known by level and by how many cells they lie from the lower left corner of the model, which
+// stays when the grid grows.
+
+#include "mpm_domain/ground.hpp"
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace tremolo::mpm_domain {
+
+/// Level, and cells to the right of and above the corner of the model.
+using NodePlace = std::array<int, 3>;
+
+/// What a node has of the particles.
+struct NodeLoad {
+  double mass = 0.0; ///< kg/m
+  Vector force;      ///< weight included, N/m
+};
+
+/// That of all nodes with mass. Particles must be in the order of their present places.
+std::map<NodePlace, NodeLoad> node_loads(Ground& ground);
+
+class HeldForces {
+public:
+  HeldForces() = default;
+  HeldForces(const std::map<NodePlace, NodeLoad>& before, const std::map<NodePlace, NodeLoad>& after);
+
+  /// Adds a share (1) of the forces to those of the nodes.
+  void act(Ground& ground, double share) const;
+  /// Power of that share on the mean of velocities before and after the last update, W/m.
+  double power(const Ground& ground, double share) const;
+  /// Power of that share on what the velocity that strains the soil differs by from that after the update,
+  /// W/m.
+  double remap_power(const Ground& ground, double share) const;
+
+  /// For a checkpoint, and back.
+  std::vector<double> state() const;
+  void set_state(const std::vector<double>& state);
+
+private:
+  template <class Act>
+  void over_nodes(const Ground& ground, double share, const Act& act) const;
+
+  std::map<NodePlace, Vector> forces_; ///< c, N/m
+};
+
+} // namespace tremolo::mpm_domain

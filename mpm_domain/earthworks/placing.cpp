@@ -1,0 +1,132 @@
+#include "mpm_domain/earthworks/placing.hpp"
+
+#include "mesh/polygon.hpp"
+#include "mpm_domain/particles/change_of_set.hpp"
+#include "mpm_domain/particles/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Boxes of particles, found by the squares that they reach into.
+class Occupied {
+public:
+  explicit Occupied(double square) : square_(square) {}
+
+  void add(const mesh::Rectangle& box) {
+    for (std::int64_t i = along(box.x_min); i <= along(box.x_max); ++i)
+      for (std::int64_t j = along(box.y_min); j <= along(box.y_max); ++j)
+        boxes_[key(i, j)].push_back(box);
+  }
+  bool at(Vector point) const {
+    const auto found = boxes_.find(key(along(point.x), along(point.y)));
+    return found != boxes_.end() && std::ranges::any_of(found->second, [&](const mesh::Rectangle& box) {
+             return point.x >= box.x_min && point.x <= box.x_max && point.y >= box.y_min &&
+                    point.y <= box.y_max;
+           });
+  }
+
+private:
+  std::int64_t along(double place) const { return static_cast<std::int64_t>(std::floor(place / square_)); }
+  static std::int64_t key(std::int64_t i, std::int64_t j) { return (i << 32) + j; }
+
+  double square_;
+  std::unordered_map<std::int64_t, std::vector<mesh::Rectangle>> boxes_;
+};
+
+Occupied places_of(const Ground& ground) {
+  Occupied occupied(ground.lattice(0).h);
+  for (const Particles& set : ground.sets)
+    for (std::size_t k = 0; k < set.size(); ++k)
+      occupied.add(box_of(set, k));
+  return occupied;
+}
+
+/// How far soil has gone down at most, m.
+double largest_settlement(const Ground& ground) {
+  double largest = 0.0;
+  for (const Particles& set : ground.sets_of_soil())
+    for (std::size_t k = 0; k < set.size(); ++k)
+      largest = std::max(largest, set.y_initial[k] - set.y[k]);
+  return largest;
+}
+
+/// The region, drawn over copies of itself that reach down to where the ground may be.
+std::vector<Region> drawn_down(const Region& region, double depth, double step) {
+  std::vector<Region> regions;
+  for (double down = std::ceil(depth / step) * step; down > 0.5 * step; down -= step) {
+    Region& copy = regions.emplace_back(region);
+    for (Vector& corner : copy.polygon)
+      corner.y -= down;
+    for (double& cut : copy.cuts)
+      cut -= down;
+  }
+  regions.push_back(region);
+  return regions;
+}
+
+/// A particle of the fill.
+struct Candidate {
+  std::size_t set;
+  std::size_t k;
+};
+
+/// Which particles are laid: those of the polygon where no ground is, and those that fill a gap under it.
+std::vector<Candidate> laid(const std::vector<Particles>& fill, const Region& region, Occupied occupied) {
+  std::vector<Candidate> laid;
+  std::vector<Candidate> under;
+  const auto place = [&](const Candidate& c) { return Vector{fill[c.set].x[c.k], fill[c.set].y[c.k]}; };
+  for (std::size_t s = 0; s < fill.size(); ++s)
+    for (std::size_t k = 0; k < fill[s].size(); ++k)
+      if (const Vector at{fill[s].x[k], fill[s].y[k]}; !occupied.at(at))
+        (mesh::inside(region.polygon, at.x, at.y) ? laid : under).push_back({s, k});
+  std::ranges::sort(under, {}, [&](const Candidate& c) { return place(c).y; });
+  for (const Candidate& c : under) {
+    const Vector at = place(c);
+    if (!occupied.at({at.x, at.y - 2.0 * fill[c.set].half_size}))
+      continue; // nothing carries it
+    occupied.add(box_of(fill[c.set], c.k));
+    laid.push_back(c);
+  }
+  return laid;
+}
+
+} // namespace
+
+std::vector<Particles> soil_to_place(const Ground& ground, const Region& region) {
+  Spec spec = ground.spec;
+  const double smallest = particle_size(spec, ground.mesh ? ground.mesh->tree().finest() : 0);
+  spec.regions = drawn_down(region, largest_settlement(ground), smallest);
+  const std::vector<Particles> all = fill(spec, ground.head, ground.mesh ? &ground.mesh->tree() : nullptr);
+  std::vector<Candidate> kept = laid(all, region, places_of(ground));
+  std::ranges::sort(kept, {}, [](const Candidate& c) { return std::pair(c.set, c.k); });
+  std::vector<Particles> placed;
+  for (const Particles& set : all) {
+    Particles& empty = placed.emplace_back(set);
+    empty.id.clear();
+    empty.index_of.clear();
+    empty.state.clear();
+    empty.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.clear(); });
+  }
+  for (const Candidate& c : kept) {
+    if (all[c.set].water)
+      throw std::invalid_argument(fmt::format("soil that is placed while the ground is in motion lies below "
+                                              "the water at x = {:.6g} m, y = {:.6g} m; allowed: above it",
+                                              all[c.set].x[c.k], all[c.set].y[c.k]));
+    add_copy(all[c.set], c.k, placed[c.set]);
+  }
+  set_rest_stress(placed, spec);
+  for (Particles& set : placed)
+    materials::initialise(set.law, set.points(0, set.size()));
+  return placed;
+}
+
+} // namespace tremolo::mpm_domain

@@ -1,0 +1,17 @@
+// What stands after an earthwork must be as sound as what the ground is shaken with.
+
+#include "scene/plan/stages/stages.hpp"
+#include "scene/rules/rules.hpp"
+
+namespace tremolo::scene {
+
+void later_models_are_sound(const Case& scene, Findings& findings) {
+  for (const Earthwork& work : scene.earthworks) {
+    const Case then = after_earthwork(scene, work);
+    for (const auto rule : {regions_are_simple, regions_lie_in_mesh, regions_are_apart,
+                            regions_hold_particles, structures_touch_soil})
+      rule(then, findings);
+  }
+}
+
+} // namespace tremolo::scene

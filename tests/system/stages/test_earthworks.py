@@ -1,0 +1,107 @@
+"""What is built after a shaking, as a user runs it: a berm on sand that has liquefied, dug away again, and a load. The
+ground carries each of them in its own time, the ledger closes, and a broken run goes on with the same bits.
+
+    usage: test_earthworks.py TREMOLO SOURCE_DIR
+"""
+
+import sys
+import unittest
+from pathlib import Path
+
+TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
+sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "tests" / "system" / "resume"), str(Path(__file__).parent)]
+
+import numpy as np
+from broken_run import goes_on_with_the_same_bits, whole_run, with_checkpoints
+from rest_case import RestWorkspace, rest
+from tremolo.run import Run
+
+FILL = """
+[soil.fill]
+model = "linear_elastic"
+density = 1900.0
+young = 20e6
+poisson = 0.3
+"""
+BERM = """
+[[region]]
+name = "berm"
+soil = "fill"
+polygon = [[2.0, 0.0], [6.0, 0.0], [6.0, 1.0], [2.0, 1.0]]
+"""
+WIDER = {"level = 0.0\n\n[soil.sand]": "level = 0.0\nbulk_modulus = 2.2e8\n\n[soil.sand]",
+         "[[0.0, -6.0], [2.0, -6.0], [2.0, 0.0], [0.0, 0.0]]": "[[0.0, -6.0], [8.0, -6.0], [8.0, 0.0], [0.0, 0.0]]",
+         "box = [0.0, -6.0, 2.0, 0.0]": "box = [0.0, -6.0, 8.0, 2.0]",
+         "point = [1.25, -2.5]": "point = [4.25, -2.5]"}
+
+
+def stage(kind, name, keys, ramp):
+    return f'\n[[stage]]\nkind = "{kind}"\nname = "{name}"\nramp_s = {ramp}\n{keys}\n'
+
+
+def aftershock(duration):
+    return (f'\n[[stage]]\nkind = "shaking"\nname = "aftershock"\nduration_s = {duration}\n'
+            'motion = { pulse = { shape = "ricker", frequency = 3.0, time = 0.2, velocity = 0.1 } }\n')
+
+
+class BermWorkspace(RestWorkspace):
+    """8 m of the sand between periodic sides, with a berm that comes when the stages say so."""
+
+    def __init__(self, tremolo, stages, **changes):
+        super().__init__(tremolo, rest=stages, soil=FILL, boundary='sides = "periodic"', **changes)
+
+    def __enter__(self):
+        super().__enter__()
+        text = self.case.read_text()
+        for old, new in WIDER.items():
+            assert old in text, old
+            text = text.replace(old, new)
+        self.case.write_text(text + BERM)
+        return self
+
+
+class Earthworks(unittest.TestCase):
+    def test_ground_bears_a_berm_until_it_is_dug_away(self):
+        stages = rest(1.5) + stage("construction", "berm", 'place = ["berm"]', 2.0) + rest(1.0, name='"after it"') + \
+            stage("construction", "dug", 'remove = ["berm"]', 2.0) + rest(0.5, name='"at last"')
+        with BermWorkspace(TREMOLO, stages, shaking=1.5) as work:
+            listed = work.command("explain", work.case).stdout
+            self.assertIn("places 'berm'; grows in 2 s of the soil's own time, from 3 s", listed)
+            folder = work.run("run")
+            run = Run(folder / "run.h5")
+            count = lambda time: len(run.frame(int(np.argmin(np.abs(run.times - time))))["position"])
+            self.assertEqual(count(2.5) + 16, count(3.5))  # 4 m by 1 m, four particles a cell
+            self.assertEqual(count(2.5), count(7.9))
+            with_berm = run.frame(int(np.argmin(np.abs(run.times - 5.5))))
+            berm = with_berm["soil"] == list(run.attribute("soil_names")).index("fill")
+            self.assertEqual(16, np.count_nonzero(berm))
+            self.assertGreater(with_berm["position"][berm, 1].min(), -0.1)
+            self.assertAlmostEqual(-1900.0 * 9.81 * 0.5, with_berm["stress"][berm, 1].mean(), delta=2e3)
+            history = run.monitor("2.5 m")
+            at = lambda name, time: np.interp(time, history["time"], history[name])
+            total = lambda time: at("syy", time) - at("pore_pressure", time)
+            self.assertLess(at("uy", 5.9), at("uy", 2.9) - 1e-3)  # the ground under it has settled
+            weight = 1900.0 * 9.81
+            self.assertTrue(0.4 * weight < total(2.9) - total(5.9) < weight, (total(2.9), total(5.9)))
+            self.assertAlmostEqual(total(2.9), total(8.4), delta=0.05 * weight)
+            energy = run.energy
+            later = energy["time"] > 2.9  # the shaking is over
+            grown = lambda name: np.ptp(energy[name][later])
+            self.assertLess(grown("residual"), 1e-3 * (grown("static") + grown("plastic")))
+            self.assertLess(grown("transfer"), 0.5 * grown("plastic"))
+            drawn = work.command("plot", folder)
+            self.assertEqual(0, drawn.returncode, drawn.stderr)
+            report = work.command("report", folder)
+            self.assertEqual(0, report.returncode, report.stderr)
+
+    def test_a_run_that_is_broken_in_any_of_them_goes_on(self):
+        stages = rest(0.3) + stage("construction", "berm", 'place = ["berm"]', 0.3) + aftershock(0.3) + \
+            stage("construction", "dug", 'remove = ["berm"]', 0.3) + \
+            stage("load", "crane", "x_m = [6.5, 7.5]\npressure_pa = 5e3", 0.3)
+        with with_checkpoints(BermWorkspace(TREMOLO, stages, shaking=0.4), every_steps=200) as work:
+            whole = whole_run(work)
+            goes_on_with_the_same_bits(self, work, whole)
+
+
+if __name__ == "__main__":
+    unittest.main()
