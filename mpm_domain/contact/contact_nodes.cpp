@@ -62,6 +62,8 @@ PushedOut push_out(Ground& ground, const BodySurface& surface, std::span<const N
     Particles& p = ground.sets[set];
     if (p.x[k] < box.x_min || p.x[k] > box.x_max || p.y[k] < box.y_min || p.y[k] > box.y_max)
       continue;
+    if (!surface.contains({p.x[k], p.y[k]})) // which costs a third of what the nearest place does
+      continue;
     const BodySurface::Nearest nearest = surface.nearest({p.x[k], p.y[k]});
     const double out = -nearest.distance - 0.5 * p.half_size;
     if (out <= 0.0)

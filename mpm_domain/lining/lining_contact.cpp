@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -21,26 +22,44 @@ Vector direction(std::span<const SegmentRows> rows, std::size_t row) {
   return row % 2 == 0 ? rows[row / 2].normal : rows[row / 2].tangent();
 }
 
-double share_of(const SegmentRows& rows, std::size_t node) {
-  const auto found = std::ranges::find(rows.soil, node, &NodeShare::node);
-  return found == rows.soil.end() ? 0.0 : found->share;
+/// A node of a segment.
+struct SegmentNode {
+  std::size_t node;
+  std::size_t row; ///< of the segment
+  double share;
+};
+
+/// The nodes of all segments, node after node.
+std::vector<SegmentNode> nodes_of(std::span<const SegmentRows> rows) {
+  std::vector<SegmentNode> nodes;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (const auto& [node, share] : rows[row].soil)
+      nodes.push_back({node, row, share});
+  std::ranges::sort(nodes, {}, [](const SegmentNode& of) { return std::pair(of.node, of.row); });
+  return nodes;
 }
 
-/// The lower half of B m^-1 B^T, row after row.
+/// The lower half of B m^-1 B^T, row after row. Only segments that share nodes answer to each other.
 std::vector<double> soil_answer(std::span<const SegmentRows> rows, std::span<const double> mass) {
-  const std::size_t size = 2 * rows.size();
+  const std::vector<SegmentNode> nodes = nodes_of(rows);
+  const std::size_t count = rows.size();
+  std::vector<double> both(count * count, 0.0); // sum of shares of both over m
+  for (auto first = nodes.begin(); first != nodes.end();) {
+    const auto end =
+        std::find_if(first, nodes.end(), [&](const SegmentNode& of) { return of.node != first->node; });
+    for (auto a = first; a != end; ++a)
+      for (auto b = first; b <= a; ++b)
+        both[a->row * count + b->row] += a->share * b->share / mass[a->node];
+    first = end;
+  }
+  const std::size_t size = 2 * count;
   std::vector<double> g(size * size, 0.0);
-  for (std::size_t a = 0; a < rows.size(); ++a)
-    for (std::size_t b = 0; b <= a; ++b) {
-      double both = 0.0;
-      for (const auto& [node, share] : rows[a].soil)
-        both += share * share_of(rows[b], node) / mass[node];
-      if (both == 0.0)
-        continue;
-      for (const std::size_t r : {2 * a, 2 * a + 1})
-        for (const std::size_t c : {2 * b, 2 * b + 1})
-          g[r * size + c] = both * dot(direction(rows, r), direction(rows, c));
-    }
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b <= a; ++b)
+      if (const double of_both = both[a * count + b]; of_both != 0.0)
+        for (const std::size_t r : {2 * a, 2 * a + 1})
+          for (const std::size_t c : {2 * b, 2 * b + 1})
+            g[r * size + c] = of_both * dot(direction(rows, r), direction(rows, c));
   return g;
 }
 

@@ -1,6 +1,7 @@
 #include "mpm_domain/lining/segment_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,7 +15,8 @@ constexpr double least_soil = 0.05;
 constexpr double counted_mass = 0.01;
 
 struct PointShares {
-  std::vector<NodeShare> nodes;
+  std::array<NodeShare, 4> nodes; ///< of the cell; as many as `count`
+  std::size_t count = 0;
   double sum = 0.0; ///< sum c_I N_I
   Vector place;     ///< X'
 };
@@ -32,7 +34,7 @@ PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const 
                          std::min(1.0, mass[node] / (counted_mass * full));
       if (hat <= 0.0)
         continue;
-      shares.nodes.push_back({node, hat});
+      shares.nodes[shares.count++] = {node, hat};
       shares.sum += hat;
       shares.place = {shares.place.x + hat * (lattice.x0 + i * lattice.h),
                       shares.place.y + hat * (lattice.y0 + j * lattice.h)};
@@ -59,7 +61,7 @@ std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& bea
     rows.normal = normal(segment, beam);
     for (const auto& [point, shares] : counted) {
       const double share = 1.0 / static_cast<double>(counted.size());
-      for (const NodeShare& of_node : shares.nodes) {
+      for (const NodeShare& of_node : std::span(shares.nodes).first(shares.count)) {
         auto found = std::ranges::find(rows.soil, of_node.node, &NodeShare::node);
         if (found == rows.soil.end())
           found = rows.soil.insert(found, {of_node.node, 0.0});
