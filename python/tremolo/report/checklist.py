@@ -26,9 +26,9 @@ def _sands(case):
     return {name: soil for name, soil in case.get("soil", {}).items() if law(soil) in SANDS}
 
 
-def _of_soil(run, name):
-    """Which particles are of a soil."""
-    return run.field(0, "soil") == list(run.attribute("soil_names")).index(name)
+def _of_soil(run, index, name):
+    """Which particles of a frame are of a soil."""
+    return run.field(index, "soil") == list(run.attribute("soil_names")).index(name)
 
 
 def _stress(run, index):
@@ -42,11 +42,12 @@ def _stress(run, index):
 def _field_stress(run, name):
     """Median vertical effective stress of a soil before the shaking, Pa."""
     stress = _stress(run, 0)
-    return None if stress is None else float(-np.median(stress[1][_of_soil(run, name)]))
+    return None if stress is None else float(-np.median(stress[1][_of_soil(run, 0, name)]))
 
 
-def _mobilised(run, index, chosen):
-    """The 95 % quantile of the mobilised friction angle in the plane, degrees."""
+def _mobilised(run, index, name):
+    """The 95 % quantile of the mobilised friction angle of a soil in the plane, degrees."""
+    chosen = _of_soil(run, index, name)
     sxx, syy, sxy = (component[chosen] for component in _stress(run, index))
     pressure = -0.5 * (sxx + syy)
     sound = pressure > LEAST_PRESSURE
@@ -124,12 +125,11 @@ def _angle_rows(run):
         return
     sxx, syy, _ = _stress(run, 0)
     for name in run.attribute("soil_names"):
-        chosen = _of_soil(run, name)
-        pressed = chosen & (syy < -LEAST_PRESSURE)
+        pressed = _of_soil(run, 0, name) & (syy < -LEAST_PRESSURE)
         if not np.any(pressed):
             continue
         low, high = np.quantile(sxx[pressed] / syy[pressed], [0.05, 0.95])
-        angles = [_mobilised(run, index, chosen) for index in (0, len(run.times) - 1)]
+        angles = [_mobilised(run, index, name) for index in (0, len(run.times) - 1)]
         words = ", ".join("none" if angle is None else f"{angle:.1f}°" for angle in angles)
         yield [f"K0 and mobilised friction angle of '{name}'",
                f"K0 {low:.2f} to {high:.2f} (5 to 95 % of the soil); angle, 95 % of the soil, at the start and the end {words}", ""]
