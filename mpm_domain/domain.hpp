@@ -7,11 +7,13 @@
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/lining/linings.hpp"
 #include "mpm_domain/passes/energy_ledger.hpp"
+#include "mpm_domain/section/sections.hpp"
 
 namespace tremolo::mpm_domain {
 
-/// The state of the domain: the ground, its boundary and earthworks, the structures and linings in it, and
-/// where the energy goes. Where ranks share a domain, each knows all that concerns the boundary.
+/// The state of the domain: the ground, its boundary and earthworks, the structures and linings in it, cuts
+/// through them, and where the energy goes. Where ranks share a domain, each knows all that concerns the
+/// boundary.
 struct Domain : Ground {
   /// Fills the regions with particles at rest and without stress.
   /// @throws std::invalid_argument for a spec that cannot be built
@@ -22,6 +24,7 @@ struct Domain : Ground {
   Earthworks earthworks;
   Contact contact;
   Linings linings;
+  Sections sections;
   EnergyLedger energy;
 };
 

@@ -421,6 +421,7 @@ struct Case {
   std::vector<Region> regions;            ///< those that are there while the ground is shaken
   std::vector<Structure> structures;      ///< likewise
   std::vector<Lining> linings;
+  std::vector<Section> sections;
   double halfspace_damping = 0.0; ///< ratio, of critical
   std::vector<Layer> profile;     ///< from the surface down; empty: the half-space reaches the surface
   std::optional<RandomProfile> random_profile; ///< whose factors `profile` and the soils have

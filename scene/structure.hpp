@@ -1,6 +1,6 @@
 #pragma once
 
-// Structures and linings of a case.
+// Structures and linings of a case, and sections through structures.
 
 #include "mpm_domain/spec/lining.hpp"
 #include "mpm_domain/spec/structure.hpp"
@@ -35,6 +35,20 @@ struct Structure {
   double friction = 0.0;                          ///< against other structures; of two the smaller counts
   std::vector<SoilContact> against;               ///< each of Case::soils
   std::string path = {};                          ///< of its table in messages, "structure[0]"
+};
+
+/// [[section]]: cuts through an elastic structure, whose section forces are recorded.
+struct Section {
+  /// A line across the structure, which it cuts where it goes through it.
+  struct Line {
+    Point from;
+    Point to;
+  };
+  std::string name;
+  std::optional<std::size_t> structure; ///< index into Case::structures
+  std::vector<Line> lines;              ///< one, or those of a ring, counter-clockwise
+  std::optional<Point> centre;          ///< of the ring
+  std::string path = {};                ///< of its table in messages, "section[0]"
 };
 
 /// [[lining]]: a closed beam that keeps a cavity in the soil open.

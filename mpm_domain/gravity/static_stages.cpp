@@ -210,6 +210,7 @@ std::optional<Spec> StaticStages::spec_from(std::size_t first) const {
       Spec spec = end_.spec;
       spec.regions = next->regions;
       spec.structures = next->structures;
+      spec.sections.clear(); // of the structures of the shaking
       spec.water = next->water;
       spec.loads.resize(on_surface);
       spec.structure_loads.resize(on_structures);

@@ -48,6 +48,7 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   spec.soils.clear();
   spec.regions.clear();
   spec.structures.clear();
+  spec.sections.clear();
   spec.linings.clear();
   spec.loads.clear();
   spec.structure_loads.clear();

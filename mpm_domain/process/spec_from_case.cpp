@@ -3,6 +3,7 @@
 #include "scene/plan/boundary/springs.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/lining/beam_outline.hpp"
+#include "scene/plan/section/section_cuts.hpp"
 #include "scene/plan/stages/stages.hpp"
 #include "scene/plan/structures.hpp"
 #include "scene/soils/viscous_damping.hpp"
@@ -79,6 +80,13 @@ Lining lining_of(const scene::Lining& lining, double cell_size) {
   return copy;
 }
 
+Section section_of(const scene::Case& scene, const scene::Section& section) {
+  Section copy{section.name, scene.structures[*section.structure].name, {}};
+  for (const scene::SectionCut& cut : scene::cuts_of(scene, section))
+    copy.cuts.push_back({{cut.line.from.x, cut.line.from.y}, {cut.line.to.x, cut.line.to.y}});
+  return copy;
+}
+
 std::vector<Region> regions_of(const std::vector<scene::Region>& regions) {
   std::vector<Region> copies;
   for (const scene::Region& region : regions)
@@ -135,6 +143,8 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   spec.water = water_of(scene.water);
   spec.regions = regions_of(scene.regions);
   spec.structures = structures_of(scene.structures);
+  for (const scene::Section& section : scene.sections)
+    spec.sections.push_back(section_of(scene, section));
   for (const scene::Lining& lining : scene.linings)
     spec.linings.push_back(lining_of(lining, scene::contact_cell_size(scene)));
   spec.cut_at_edges = !scene.structures.empty() ||

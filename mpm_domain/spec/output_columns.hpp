@@ -96,6 +96,11 @@ inline constexpr std::array<OutputColumn, 5> lining_element_columns{
 /// Likewise for each segment of its outer face.
 inline constexpr std::array<OutputColumn, 2> lining_segment_columns{{{"pressure", "Pa"}, {"shear", "Pa"}}};
 
+/// The columns of a cut through a structure: its middle, and the forces that pass through it. Those of a ring
+/// of cuts have its number behind them.
+inline constexpr std::array<OutputColumn, 6> section_columns{
+    {{"x", "m"}, {"y", "m"}, {"tilt", "rad"}, {"n", "N/m"}, {"q", "N/m"}, {"m", "N"}}};
+
 /// Numbers of a face and a row of /boundary: velocity of the free field and of the domain, traction.
 inline constexpr std::size_t numbers_of_face = 6;
 /// The columns of numbers of a face in /drift, behind the name of its side.

@@ -21,14 +21,18 @@ def _ring(polygon, clockwise):
     return Path(np.vstack([corners, corners[:1]]), closed=True)
 
 
+def shape(outline, hole):
+    """The path of a structure, which leaves its hole open; hole is None where there is none."""
+    rings = [_ring(outline, clockwise=False)]
+    if hole is not None:
+        rings.append(_ring(hole, clockwise=True))
+    return Path.make_compound_path(*rings)
+
+
 def draw(ax, run, index):
     """Fills all structures and linings where they are in a frame, and leaves their holes open."""
     for name in run.bodies:
-        outline, hole = run.body(name).corners(run.times[index])
-        rings = [_ring(outline, clockwise=False)]
-        if hole is not None:
-            rings.append(_ring(hole, clockwise=True))
-        ax.add_patch(PathPatch(Path.make_compound_path(*rings), **FILL))
+        ax.add_patch(PathPatch(shape(*run.body(name).corners(run.times[index])), **FILL))
     linings.draw(ax, run, run.times[index])
 
 

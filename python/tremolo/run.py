@@ -10,6 +10,7 @@
     run.line("shaft").values("gxy")       # [times, points], at run.line("shaft").coordinates
     run.body("tunnel")["water_y"]         # N/m at run.body("tunnel").time
     run.lining("ring").moment             # [times, elements], N, at run.lining("ring").time
+    run.section("foot")["m"]              # N, at run.section("foot").time
     run.table("profile")["peak_gxy"]      # of a free field alone, at run.table("profile")["y"]
 
 All values are SI units; tension is positive; x points right, y up. `Series` says what one can do with a history.
@@ -25,6 +26,7 @@ import numpy as np
 
 from tremolo import links
 from tremolo.lining import Lining
+from tremolo.section import Section
 from tremolo.series import Series, text
 
 SCHEMA_MAJOR = "1"
@@ -146,7 +148,7 @@ class Run:
             last["position"][last["equivalent_plastic_strain"] > 0.1]      # m, where soil has failed
             run.nearest_frame(9.3)                                         # the number of a frame by its time (s)
 
-    Names: `monitors`, `lines`, `sliding_masses`, `bodies`, `linings`. What a run does not have is None, an empty list, or a KeyError that
+    Names: `monitors`, `lines`, `sliding_masses`, `bodies`, `linings`, `sections`. What a run does not have is None, an empty list, or a KeyError that
     names what there is.
     """
 
@@ -188,7 +190,7 @@ class Run:
 
     def __repr__(self):
         frames = f"{len(self.times)} frames, {self.times[0]:g} to {self.times[-1]:g} s" if len(self.times) else "no frames"
-        named = ((kind, getattr(self, kind)) for kind in ("monitors", "lines", "sliding_masses", "bodies", "linings"))
+        named = ((kind, getattr(self, kind)) for kind in ("monitors", "lines", "sliding_masses", "bodies", "linings", "sections"))
         held = "".join(f"; {kind.replace('_', ' ')}: {', '.join(names)}" for kind, names in named if names)
         return f"<Run {self.path}: '{self.title}', {self.status}; {frames}{held}>"
 
@@ -335,6 +337,19 @@ class Run:
             raise KeyError(f"{self.path}: no lining '{name}'; it has {', '.join(self.linings) or 'none'}")
         with self._reading(f"the lining {name}"):
             return Lining(self._file["linings"][name])
+
+    @property
+    def sections(self):
+        """Names of the sections, in the order of the case."""
+        with self._reading("the sections"):
+            return list(self.attribute("section_names", []))
+
+    def section(self, name):
+        """Section forces of a cut through a structure, or of a ring of cuts."""
+        if name not in self.sections:
+            raise KeyError(f"{self.path}: no section '{name}'; it has {', '.join(self.sections) or 'none'}")
+        with self._reading(f"the section {name}"):
+            return Section(self._file["sections"][name])
 
     def contact(self, index):
         """Contact nodes of one frame: name -> array; None where the run has no structures.

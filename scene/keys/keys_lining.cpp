@@ -7,7 +7,7 @@ namespace tremolo::scene {
 namespace {
 
 /// The section of the beam: of a plate, or as stiffnesses.
-std::vector<Key> section_keys() {
+std::vector<Key> beam_keys() {
   return {{.name = "young",
            .unit = "Pa",
            .meaning = "Young's modulus of a plate of this thickness; together with `poisson` and `density`.",
@@ -64,7 +64,7 @@ std::vector<Table> lining_keys() {
                            "the outer face.",
                 .required = true,
                 .range = positive}}};
-  for (const Key& key : section_keys())
+  for (const Key& key : beam_keys())
     lining.keys.push_back(key);
   lining.keys.push_back({.name = "hinges",
                          .type = Type::points,

@@ -203,10 +203,9 @@ std::vector<Table> model_keys() {
     tables.push_back(table);
   const auto structures = structure_keys();
   const auto linings = lining_keys();
-  const auto mesh = std::ranges::find(tables, "mesh", &Table::name);
-  tables.insert(tables.insert(mesh, structures.begin(), structures.end()) +
-                    static_cast<std::ptrdiff_t>(structures.size()),
-                linings.begin(), linings.end());
+  const auto sections = section_keys();
+  for (const auto& group : {structures, sections, linings})
+    tables.insert(std::ranges::find(tables, "mesh", &Table::name), group.begin(), group.end());
   return tables;
 }
 

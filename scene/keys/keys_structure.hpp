@@ -10,6 +10,9 @@ std::vector<Table> structure_keys();
 /// [[lining]] and what stands below it.
 std::vector<Table> lining_keys();
 
+/// [[section]] and what stands below it.
+std::vector<Table> section_keys();
+
 /// Friction and adhesion against a soil.
 Table against_table(std::string_view name, std::string_view meaning);
 

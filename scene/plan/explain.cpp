@@ -1,6 +1,7 @@
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
+#include "scene/plan/section/section_cuts.hpp"
 #include "scene/plan/stages/stages.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/random/random_text.hpp"
@@ -195,6 +196,8 @@ std::string explain(const Case& scene, const Plan& plan) {
     text += "\nWater\n  " + water_text(scene);
   if (!plan.structures.empty())
     text += "\nStructures\n" + structures_text(scene, plan.structures);
+  if (!scene.sections.empty())
+    text += "\nSections\n" + sections_text(scene);
   if (!plan.linings.empty())
     text += "\nLinings\n" + linings_text(scene, plan.linings, plan.dt);
   text += "\nRemarks\n";
@@ -277,6 +280,13 @@ std::string to_json(const Case& scene, const Plan& plan) {
                                   {"buoyancy_N_per_m", structure.buoyancy},
                                   {"contact_nodes", structure.contact_nodes},
                                   {"bytes", structure.bytes}});
+  for (const Section& section : scene.sections) {
+    json["sections"].push_back({{"name", section.name},
+                                {"structure", scene.structures[*section.structure].name},
+                                {"thickness_m", nlohmann::ordered_json::array()}});
+    for (const SectionCut& cut : cuts_of(scene, section))
+      json["sections"].back()["thickness_m"].push_back(cut.thickness());
+  }
   for (const PlannedLining& lining : plan.linings) {
     json["linings"].push_back({{"name", lining.name},
                                {"elements", lining.elements},

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -111,22 +112,20 @@ std::vector<Region> regions_of(const Case& scene, const std::vector<std::string>
   return regions;
 }
 
-/// Monitors ride on structures by their number among those that stand at last.
-void renumber_monitors(Case& scene, const Standing& end, Findings& findings) {
-  for (std::size_t m = 0; m < scene.monitors.size(); ++m) {
-    Monitor& monitor = scene.monitors[m];
-    if (!monitor.structure)
-      continue;
-    const std::string name = scene.structures[*monitor.structure].name;
-    const auto found = std::ranges::find(end.structures, name, &Structure::name);
-    if (found == end.structures.end()) {
-      monitor.structure.reset();
-      findings.add(
-          fmt::format("monitor[{}].structure", m),
-          fmt::format("the structure '{}' is removed before the shaking: a monitor cannot ride on it", name));
-    } else {
-      monitor.structure = static_cast<std::size_t>(found - end.structures.begin());
-    }
+/// What goes with a structure has its number among those that stand at last.
+/// @param why  it needs one
+void renumber(std::optional<std::size_t>& structure, const std::string& path, std::string_view why,
+              const Case& scene, const Standing& end, Findings& findings) {
+  if (!structure)
+    return;
+  const std::string name = scene.structures[*structure].name;
+  const auto found = std::ranges::find(end.structures, name, &Structure::name);
+  if (found == end.structures.end()) {
+    structure.reset();
+    findings.add(path + ".structure",
+                 fmt::format("the structure '{}' is removed before the shaking: {}", name, why));
+  } else {
+    structure = static_cast<std::size_t>(found - end.structures.begin());
   }
 }
 
@@ -152,7 +151,11 @@ void find_standing(Case& scene, Findings& findings) {
     change(states, work, true, findings);
     work.after = standing(scene, states);
   }
-  renumber_monitors(scene, end, findings);
+  for (std::size_t m = 0; m < scene.monitors.size(); ++m)
+    renumber(scene.monitors[m].structure, fmt::format("monitor[{}]", m), "a monitor cannot ride on it", scene,
+             end, findings);
+  for (Section& section : scene.sections)
+    renumber(section.structure, section.path, "a section cannot cut it", scene, end, findings);
   scene.regions = std::move(end.regions);
   scene.structures = std::move(end.structures);
 }

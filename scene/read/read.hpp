@@ -48,7 +48,12 @@ std::vector<SoilContact> read_against(const TableReader& table, const std::vecto
                                       Findings& findings);
 /// Linings; after read_soils.
 void read_linings(Document& document, Findings& findings, Case& scene);
-/// Regions, structures, linings and time stepping; after read_free_field.
+/// The structure that a table's key `structure` names.
+std::optional<std::size_t> structure_index(const TableReader& table, const std::vector<Structure>& structures,
+                                           Findings& findings);
+/// Sections; after read_structures.
+void read_sections(Document& document, Findings& findings, Case& scene);
+/// Regions, structures, linings, sections and time stepping; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
 /// Which processes run on other machines.
 void read_hosts(Document& document, Case& scene);

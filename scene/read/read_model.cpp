@@ -46,6 +46,7 @@ void read_model(Document& document, Findings& findings, Case& scene) {
     scene.regions.push_back(read_region(table, scene.soils, findings));
   read_structures(document, findings, scene);
   read_linings(document, findings, scene);
+  read_sections(document, findings, scene);
   read_time(document, findings, scene);
 }
 

@@ -1,13 +1,8 @@
 #include "scene/read/read.hpp"
-#include "scene/text/nearest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace tremolo::scene {
 
@@ -57,24 +52,6 @@ Output read_output(Document& document, const Case& scene, Findings& findings) {
   return output;
 }
 
-/// The structure that a monitor moves with.
-std::optional<std::size_t> structure_of(const TableReader& monitor, const std::vector<Structure>& structures,
-                                        Findings& findings) {
-  if (!monitor.given("structure"))
-    return std::nullopt;
-  const std::string name = monitor.text("structure");
-  const auto found = std::ranges::find(structures, name, &Structure::name);
-  if (found != structures.end())
-    return static_cast<std::size_t>(found - structures.begin());
-  std::vector<std::string_view> known;
-  for (const Structure& structure : structures)
-    known.push_back(structure.name);
-  if (findings.sound(monitor.path("structure")))
-    findings.add(monitor.path("structure"),
-                 fmt::format("structure '{}' is not defined, {}", name, suggestion(name, known)));
-  return std::nullopt;
-}
-
 SlidingMass read_sliding_mass(const TableReader& table, Findings& findings) {
   const auto outline = read_outline(table, "polygon", "circle", findings);
   if (!table.given("polygon") && !table.given("circle") && findings.sound(table.path()))
@@ -90,7 +67,7 @@ void read_run(Document& document, Findings& findings, Case& scene) {
   scene.checkpoints = read_checkpoints(document, findings);
   for (const auto& table : document.array("monitor"))
     scene.monitors.push_back(
-        {table.text("name"), table.point("point"), structure_of(table, scene.structures, findings)});
+        {table.text("name"), table.point("point"), structure_index(table, scene.structures, findings)});
   for (const auto& table : document.array("line"))
     scene.lines.push_back({table.text("name"), table.point("from"), table.point("to"),
                            table.optional_number("spacing").value_or(scene.mesh.size)});

@@ -1,6 +1,12 @@
 #include "scene/read/read.hpp"
+#include "scene/text/nearest.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace tremolo::scene {
 
@@ -81,6 +87,23 @@ Structure read_structure(const TableReader& table, const std::vector<Soil>& soil
 }
 
 } // namespace
+
+std::optional<std::size_t> structure_index(const TableReader& table, const std::vector<Structure>& structures,
+                                           Findings& findings) {
+  if (!table.given("structure"))
+    return std::nullopt;
+  const std::string name = table.text("structure");
+  const auto found = std::ranges::find(structures, name, &Structure::name);
+  if (found != structures.end())
+    return static_cast<std::size_t>(found - structures.begin());
+  std::vector<std::string_view> known;
+  for (const Structure& structure : structures)
+    known.push_back(structure.name);
+  if (findings.sound(table.path("structure")))
+    findings.add(table.path("structure"),
+                 fmt::format("structure '{}' is not defined, {}", name, suggestion(name, known)));
+  return std::nullopt;
+}
 
 void read_structures(Document& document, Findings& findings, Case& scene) {
   for (const auto& table : document.array("structure"))

@@ -15,6 +15,7 @@
 // theta goes on over full turns; local rotations stay below half a turn.
 
 #include "mpm_domain/spec/lining.hpp"
+#include "mpm_domain/spec/section.hpp"
 
 #include <array>
 #include <cstddef>
@@ -24,13 +25,6 @@ namespace tremolo::mpm_domain {
 
 using ElementStrain = std::array<double, 3>; ///< m, rad, rad
 using ElementForce = std::array<double, 3>;  ///< N/m, N, N: per metre out of plane
-
-/// Forces in the middle of an element, per metre out of plane.
-struct SectionForces {
-  double axial = 0.0;  ///< N, tension positive, N/m
-  double shear = 0.0;  ///< Q, N/m
-  double moment = 0.0; ///< M, N; positive where it stretches the right-hand side of the way from a to b
-};
 
 struct BeamElement {
   std::array<std::size_t, 6> dofs{}; ///< x, y, theta of a, then of b

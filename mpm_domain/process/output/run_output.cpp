@@ -2,6 +2,7 @@
 
 #include "mpm_domain/head/phreatic_line.hpp"
 #include "mpm_domain/process/output/add_history.hpp"
+#include "mpm_domain/process/output/drift_table.hpp"
 #include "results/run_checksums.hpp"
 #include "results/stored_fields.hpp"
 #include "scene/plan/output/intervals.hpp"
@@ -207,23 +208,6 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
   return faces;
 }
 
-results::Table drift_table(std::span<const FaceDrift> faces) {
-  std::vector<std::string> side;
-  std::array<std::vector<double>, drift_columns.size()> numbers;
-  for (const FaceDrift& face : faces) {
-    side.emplace_back(name(face.side));
-    const std::array<double, drift_columns.size()> row{face.position.x, face.position.y, face.moved.x,
-                                                       face.moved.y, face.strength_share};
-    for (std::size_t c = 0; c < row.size(); ++c)
-      numbers[c].push_back(row[c]);
-  }
-  results::Table table{{{"side", "1", side}}};
-  for (std::size_t c = 0; c < numbers.size(); ++c)
-    table.columns.push_back(
-        {std::string(drift_columns[c].name), std::string(drift_columns[c].unit), numbers[c]});
-  return table;
-}
-
 } // namespace
 
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
@@ -231,7 +215,7 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
                      std::span<const std::string> face_sources)
     : scene_(scene), domain_(domain), snapshot_(snapshot),
       writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
-      linings_(domain, writer_), sliding_masses_(scene, writer_),
+      linings_(domain, writer_), sections_(scene, domain, writer_), sliding_masses_(scene, writer_),
       lost_hold_(domain, domain.boundary, scene.boundary.base.form != scene::BaseForm::incident,
                  scene.mesh.size) {
   const scene::Box& box = scene.mesh.box;
@@ -355,6 +339,7 @@ void RunOutput::write_history(const Stepper& stepper) {
   sliding_masses_.write_history(snapshot_, stepper);
   bodies_.write_history(stepper);
   linings_.write_history(stepper);
+  sections_.write_history(stepper);
   write_boundary(stepper);
   writer_.flush_if_large();
 }
@@ -449,7 +434,8 @@ void RunOutput::take_over_histories(const results::RunReader& before, std::size_
     append(std::string(table_path), *table_);
   for (const Followers& followers : followers_)
     append(followers.path, *followers.series);
-  for (const auto* const part : {&sliding_masses_.series(), &bodies_.series(), &linings_.series()})
+  for (const auto* const part :
+       {&sliding_masses_.series(), &bodies_.series(), &linings_.series(), &sections_.series()})
     for (const auto& [path, series] : *part)
       append(path, *series);
   for (const auto& [path, series] : bodies_.outlines())

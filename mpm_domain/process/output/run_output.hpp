@@ -4,6 +4,7 @@
 #include "mpm_domain/process/output/body_output.hpp"
 #include "mpm_domain/process/output/followed_point.hpp"
 #include "mpm_domain/process/output/lining_output.hpp"
+#include "mpm_domain/process/output/section_output.hpp"
 #include "mpm_domain/process/output/sliding_mass_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
@@ -19,8 +20,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Writes a run's file as the case asks: monitors, lines, sliding masses, linings, energy, particle frames,
-/// boundary exchange, timings.
+/// Writes a run's file as the case asks: monitors, lines, sliding masses, linings, sections, energy, particle
+/// frames, boundary exchange, timings.
 ///
 /// Everything written belongs to the time of the particle velocities, Stepper::time_of_soil(): displacements
 /// are taken back by v dt/2 to it; accelerations lie half a step before it, stresses half a step after.
@@ -87,6 +88,7 @@ private:
   results::RunWriter writer_;
   BodyOutput bodies_;
   LiningOutput linings_;
+  SectionOutput sections_;
   SlidingMassOutput sliding_masses_;
   LostHold lost_hold_;
   results::TimeSeries* energy_ = nullptr;

@@ -17,6 +17,7 @@ scene::Case case_of_stage(const scene::Case& scene, std::size_t stage) {
   then.monitors.clear();
   then.lines.clear();
   then.sliding_masses.clear();
+  then.sections.clear();
   for (const auto field : {scene::OutputField::displacement, scene::OutputField::stress})
     if (std::ranges::find(then.output.fields, field) == then.output.fields.end())
       then.output.fields.push_back(field);

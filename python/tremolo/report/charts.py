@@ -187,6 +187,25 @@ def lining(runs, titles, name):
     return Chart(f"lining-{name}", f"{name}: extremes around it", words, figure)
 
 
+def section(runs, titles, name):
+    """The section forces of a cut, or the least and the greatest of a ring of cuts, over time."""
+    figure = _stacked(["M (kNm/m)", "N (kN/m)", "Q (kN/m)"], 620)
+    ring = False
+    for run, title, dash in _of_all(runs, titles):
+        if name not in run.sections or not len(run.section(name)):
+            continue
+        own = run.section(name)
+        ring = own.centre is not None
+        for row, force in enumerate(("moment", "axial_force", "shear_force"), 1):
+            values = getattr(own, force) / 1e3
+            lines = (("greatest", values.max(axis=1), 1), ("least", values.min(axis=1), 0)) if ring else ((own.structure, values[:, 0], 0),)
+            for text, line, colour in lines:
+                _add(figure, own.time, line, _label(text, title, runs), style.COLOURS[colour], dash, row, shown=row == 1)
+    what = "The least and the greatest moment, axial and shear force around" if ring else "Moment, axial and shear force of"
+    return Chart(f"section-{name}", f"{name}: {'extremes around it' if ring else 'section forces'}", f"{what} the section {name} over time",
+                 figure)
+
+
 def water(runs, titles):
     """r_u and pore pressure at the monitors below the water table; None where there are none."""
     figure = _stacked(["pore pressure ratio r_u (1)", "pore pressure (kPa)"], 520)

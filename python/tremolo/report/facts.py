@@ -46,6 +46,10 @@ def model(run):
         lining = run.lining(name)
         add(f"lining {name}", f"{lining.thickness:g} m thick, EA {lining.axial_stiffness:.4g} N/m, EI {lining.bending_stiffness:.4g} N m, "
             f"{len(lining.nodes)} elements, {len(lining.hinges)} hinges")
+    for name in run.sections:
+        section = run.section(name)
+        add(f"section {name}", f"{'a cut' if section.centre is None else f'{len(section.cuts)} cuts'} through {section.structure}, "
+            f"{section.thickness.min():.3g} m thick")
     for name in run.monitors:
         series = run.monitor(name)
         if len(series):

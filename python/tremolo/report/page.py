@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 from tremolo import drift, outputs
-from tremolo.pictures import linings, preview, stages
+from tremolo.pictures import linings, preview, sections, stages
 from tremolo.report import checklist, facts, frames, kinds
 from tremolo.run import Run
 
@@ -54,6 +54,7 @@ def _charts(runs, titles):
     names = charts.monitors(runs)
     structures = list(dict.fromkeys(name for run in runs for name in run.bodies if len(run.body(name)) > 1))
     lined = list(dict.fromkeys(name for run in runs for name in run.linings if len(run.lining(name))))
+    cut = list(dict.fromkeys(name for run in runs for name in run.sections if len(run.section(name))))
     verified = {}
     for run, title in zip(runs, titles):
         if found := facts.verified(run):
@@ -65,6 +66,7 @@ def _charts(runs, titles):
         ],
         "structures": [charts.structure(runs, titles, name) for name in structures],
         "linings": [charts.lining(runs, titles, name) for name in lined],
+        "sections": [charts.section(runs, titles, name) for name in cut],
         "water": charts.water(runs, titles),
         "drift": {title: found for i, (run, title) in enumerate(zip(runs, titles)) if (found := _drift(run, f"drift-{i}"))},
         "energy": charts.energy(runs, titles),
@@ -78,6 +80,7 @@ def _charts(runs, titles):
 def _figures(sections):
     """Key -> data and layout of every chart of the page."""
     found = [chart for _, own in sections["monitors"] for chart in own] + sections["structures"] + sections["linings"]
+    found += sections["sections"]
     found += [chart for _, own in sections["verified"].values() for chart in own]
     found += [chart for own in sections["drift"].values() for chart in own]
     found += [sections["water"], sections["energy"], sections["passes"], *sections["activities"].values()]
@@ -159,6 +162,8 @@ class Report:
                     "picture": _drawn(run, preview.preview), "stages": _drawn(run, stages.picture), "plan": facts.plan(run),
                     "linings": [drawn for name in run.linings for contact in (False, True)
                                 if (drawn := _drawn(run, functools.partial(linings.picture, name=name, contact=contact)))],
+                    "rings": [drawn for name in run.sections if run.section(name).centre is not None
+                              if (drawn := _drawn(run, functools.partial(sections.ring, name=name)))],
                     "measures": facts.measures(run), "stage_measures": facts.stage_measures(run), "waits": facts.waits(run),
                     "processes": facts.processes(run), "origin": facts.origin(run), "warnings": facts.warnings(run),
                     "checklist": None if live else checklist.checklist(run),

@@ -132,6 +132,8 @@ double histories(const Case& scene, const Plan& plan) {
     bytes += table(1 + point * points_along(line.from, line.to, line.spacing).size());
   bytes += static_cast<double>(scene.sliding_masses.size()) * table(mpm_domain::sliding_mass_columns.size());
   bytes += static_cast<double>(scene.structures.size()) * table(mpm_domain::body_columns.size());
+  for (const Section& section : scene.sections)
+    bytes += table(1 + section.lines.size() * mpm_domain::section_columns.size());
   for (const PlannedLining& lining : plan.linings)
     bytes += table(1 + lining.elements * mpm_domain::lining_element_columns.size() +
                    most_segments(lining) * mpm_domain::lining_segment_columns.size());

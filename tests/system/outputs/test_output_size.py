@@ -12,7 +12,7 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python")] + [str(Path(__file__).parents[1] / folder) for folder in ("runs", "structures")]
 
 from small_case import SLOPE_BOXES, SlopeWorkspace, Workspace, refine
-from structure_cases import BlockWorkspace, LinedWorkspace, TunnelWorkspace
+from structure_cases import BlockWorkspace, FrameWorkspace, LinedWorkspace, TunnelWorkspace
 
 EVERY_FIELD = '["displacement", "velocity", "acceleration", "stress", "state"]'
 
@@ -57,6 +57,10 @@ class OutputSize(unittest.TestCase):
 
     def test_of_linings(self):
         with LinedWorkspace(TREMOLO) as work:
+            self.expect_bound(work, 0.3)
+
+    def test_of_sections(self):
+        with FrameWorkspace(TREMOLO, duration=0.5) as work:
             self.expect_bound(work, 0.3)
 
     def test_of_pore_water(self):

@@ -1,4 +1,5 @@
-"""Small cases with a structure: a block on flat ground, a light tunnel below a water table, and a lining with hinges in dry ground."""
+"""Small cases with a structure: a block on flat ground, a frame that is cut, a light tunnel below a water table, and a lining with hinges
+in dry ground."""
 
 import sys
 from pathlib import Path
@@ -8,7 +9,7 @@ sys.path[:0] = [str(Path(__file__).parents[1] / "resume")]
 from broken_run import checkpoints, differences, resumes_with_the_same_bits, whole_run, with_checkpoints
 from small_case import Workspace
 
-__all__ = ["BlockWorkspace", "LinedWorkspace", "TunnelWorkspace", "checkpoints", "differences", "resumes_with_the_same_bits", "whole_run",
+__all__ = ["BlockWorkspace", "FrameWorkspace", "LinedWorkspace", "TunnelWorkspace", "checkpoints", "differences", "resumes_with_the_same_bits", "whole_run",
            "with_checkpoints"]
 
 STAGES = """
@@ -88,6 +89,41 @@ class BlockWorkspace(Workspace):
 
     template, defaults = BLOCK, {"velocity": 0.2, "angle": 15.0, "duration": 1.0, "kind": "rigid = true", "friction": 0.5}
     weight = 8000.0 * 9.81  # N/m
+
+
+FRAME = BLOCK.replace("polygon = [[-2.0, 0.0], [2.0, 0.0], [2.0, 1.0], [-2.0, 1.0]]", """polygon = [[-2.0, 0.0], [2.0, 0.0], [2.0, 4.0], [-2.0, 4.0]]
+hole = [[-1.0, 1.0], [1.0, 1.0], [1.0, 3.0], [-1.0, 3.0]]""").replace("[mesh]", """[[section]]
+name = "left"
+structure = "block"
+from = [-2.5, 2.0]
+to = [-0.5, 2.0]
+
+[[section]]
+name = "right"
+structure = "block"
+from = [0.5, 2.0]
+to = [2.5, 2.0]
+
+[[section]]
+name = "sill"
+structure = "block"
+from = [-2.0, 0.75]
+to = [2.0, 0.75]
+
+[[section]]
+name = "around"
+structure = "block"
+ring = {{ centre = [0.0, 2.0], inner = 1.0, outer = 3.0, count = 8 }}
+
+[mesh]""")
+
+
+class FrameWorkspace(Workspace):
+    """An elastic frame of 4 m by 4 m with walls of 1 m on flat ground, 235.44 kN/m, and cuts through it."""
+
+    template = FRAME
+    defaults = BlockWorkspace.defaults | {"kind": "young = 500e6\npoisson = 0.2", "velocity": 0.1}
+    weight = 24000.0 * 9.81  # N/m
 
 
 TUNNEL = """

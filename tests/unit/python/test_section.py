@@ -1,0 +1,89 @@
+"""Sections as arrays, as histories and diagrams, and in the report."""
+
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import synthetic_run
+import synthetic_section as cut
+from test_pictures import run_command
+from tremolo import Run
+
+
+class Section(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = Path(cls.folder.name) / "run.h5"
+        synthetic_run.write(cls.path, frames=4, size=4.0, structures=True)
+        with Run(cls.path) as run:
+            cls.structure = run.bodies[0]
+        cut.add(cls.path, cls.structure)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.run = Run(self.path)
+        self.addCleanup(self.run.close)
+
+    def test_a_cut_has_its_forces(self):
+        self.assertEqual(["foot", "ring"], self.run.sections)
+        self.assertIn("sections: foot, ring", repr(self.run))
+        foot = self.run.section("foot")
+        self.assertEqual(self.structure, foot.structure)
+        np.testing.assert_allclose(foot["m"], cut.MOMENT * np.sin(foot.time))
+        np.testing.assert_allclose(foot.moment[:, 0], foot["m"])
+        np.testing.assert_allclose(foot.axial_force[:, 0], cut.THRUST)
+        np.testing.assert_allclose(foot.shear_force[:, 0], 1e3 * foot.time)
+        np.testing.assert_allclose(foot.thickness, [2.0])
+        self.assertIsNone(foot.centre)
+        self.assertIn(f"a cut through '{self.structure}'", repr(foot))
+        with self.assertRaisesRegex(ValueError, "a single cut has no angle"):
+            foot.angles
+
+    def test_a_ring_has_those_of_all_cuts(self):
+        ring = self.run.section("ring")
+        self.assertEqual((400, cut.COUNT), ring.moment.shape)
+        np.testing.assert_allclose(ring.angles, np.degrees(cut.ANGLES), atol=1e-9)
+        np.testing.assert_allclose(ring.moment[ring.nearest(1.0)], cut.MOMENT * np.cos(2.0 * cut.ANGLES) * np.sin(1.0))
+        np.testing.assert_allclose(np.linalg.norm(ring.places[0] - cut.CENTRE, axis=1), 2.5)
+        least, greatest = ring.envelope("moment")
+        np.testing.assert_allclose(greatest - least, cut.MOMENT * np.abs(np.cos(2.0 * cut.ANGLES)), rtol=1e-3)
+
+    def test_refuses_what_is_not_there(self):
+        with self.assertRaisesRegex(KeyError, "no section 'head'; it has foot, ring"):
+            self.run.section("head")
+        with self.assertRaisesRegex(KeyError, "no section force 'bending'; there are axial_force, shear_force, moment"):
+            self.run.section("ring").envelope("bending")
+
+    def test_is_in_plot_and_report(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, paths, error = run_command("plot", self.path, "--out", folder)
+            self.assertEqual((0, ""), (status, error))
+            for name in ("sections.png", "section_ring.png"):
+                self.assertIn(str(Path(folder) / name), [str(path) for path in paths])
+            try:
+                import plotly  # noqa: F401
+            except ImportError:
+                self.skipTest("python3-plotly is missing (scripts/setup.sh installs it)")
+            copy = Path(folder) / "run.h5"
+            shutil.copy(self.path, copy)
+            with h5py.File(copy, "a") as file:
+                del file["energy"]  # the synthetic ledger has no residual
+            status, _, error = run_command("report", copy, "--out", Path(folder) / "report.html")
+            self.assertEqual((0, ""), (status, error))
+            text = (Path(folder) / "report.html").read_text(encoding="utf-8")
+        self.assertIn('<section id="sections">', text)
+        self.assertIn("foot: section forces", text)
+        self.assertIn("ring: extremes around it", text)
+        self.assertIn("section foot", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
