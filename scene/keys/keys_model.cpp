@@ -2,12 +2,12 @@
 
 #include "mesh/quadtree.hpp"
 #include "scene/choices.hpp"
-#include "scene/keys/keys_structure.hpp"
 #include "scene/keys/soil/keys_elastic.hpp"
 #include "scene/keys/soil/keys_soil.hpp"
 #include "scene/keys/soil/keys_water.hpp"
 #include "scene/keys/stages/keys_motion.hpp"
 #include "scene/keys/stages/keys_stage.hpp"
+#include "scene/keys/structure/keys_structure.hpp"
 
 #include <algorithm>
 #include <array>

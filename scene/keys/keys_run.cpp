@@ -1,8 +1,8 @@
 #include "scene/keys/keys_run.hpp"
 
 #include "scene/choices.hpp"
-#include "scene/keys/keys_structure.hpp"
 #include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/keys/structure/keys_structure.hpp"
 
 namespace tremolo::scene {
 

@@ -1,4 +1,4 @@
-#include "scene/keys/keys_structure.hpp"
+#include "scene/keys/structure/keys_structure.hpp"
 
 #include "scene/keys/soil/keys_elastic.hpp"
 
