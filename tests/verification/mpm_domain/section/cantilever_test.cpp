@@ -41,7 +41,7 @@ TEST(Cantilever, BearsItsWeight) {
 
 TEST(Cantilever, HasTheForcesOfAForceOnItsEnd) {
   constexpr double half = 3.0, height = 1.0, young = 2e8, poisson = 0.2; // m, Pa
-  constexpr double pull = 2e3, push = 1e3; // on each end, N/m
+  constexpr double pull = 2e3, push = 1e3;                               // on each end, N/m
   const Vector middle{0.0, 4.0};
   const Vector force{pull, -push}; // on the right end
   const std::vector<CutLine> cuts{ // from above: the axis runs to the right
