@@ -62,7 +62,8 @@ double largest_settlement(const Ground& ground) {
 /// The region, drawn over copies of itself that reach down to where the ground may be.
 std::vector<Region> drawn_down(const Region& region, double depth, double step) {
   std::vector<Region> regions;
-  for (double down = std::ceil(depth / step) * step; down > 0.5 * step; down -= step) {
+  for (long copies = std::lround(std::ceil(depth / step)); copies > 0; --copies) {
+    const double down = static_cast<double>(copies) * step;
     Region& copy = regions.emplace_back(region);
     for (Vector& corner : copy.polygon)
       corner.y -= down;
