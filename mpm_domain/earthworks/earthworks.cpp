@@ -21,8 +21,12 @@ bool is_same(const Region& a, const Region& b) {
          });
 }
 
-bool has(const std::vector<Region>& regions, const Region& region) {
-  return std::ranges::any_of(regions, [&](const Region& other) { return is_same(other, region); });
+/// The first earthwork from one on that removes a region; their number: none does.
+std::size_t removal_of(const Region& region, const std::vector<Earthwork>& all, std::size_t from) {
+  while (from < all.size() &&
+         std::ranges::none_of(all[from].remove, [&](const Region& other) { return is_same(other, region); }))
+    ++from;
+  return from;
 }
 
 } // namespace
@@ -33,24 +37,23 @@ Earthworks::Earthworks(Ground& ground) : going_(ground.spec.earthworks.size()) {
   if (ground.spec.scheme.subcycle || ground.is_sharp())
     throw std::invalid_argument("earthworks after a shaking go neither with sub-cycling nor with reduced "
                                 "dispersion");
-  for (std::size_t e = 0; e < going_.size(); ++e) {
-    for (const Region& region : ground.spec.earthworks[e].place)
+  const std::vector<Earthwork>& all = ground.spec.earthworks;
+  for (const Earthwork& work : all)
+    for (const Region& region : work.place)
       soil_to_place(ground, region); // refuses what could not be placed, before the ground is shaken
-    for (const Region& region : ground.spec.earthworks[e].remove) {
-      if (!has(ground.spec.regions, region))
-        continue; // it is to be placed yet
-      for (std::size_t s = 0; s < ground.soil_sets; ++s) {
-        const Particles& set = ground.sets[s];
-        for (std::size_t k = 0; k < set.size(); ++k)
-          if (mesh::inside(region.polygon, set.x[k], set.y[k])) {
-            if (set.water)
-              throw std::invalid_argument(fmt::format(
-                  "soil that is removed while the ground is in motion lies below the water at x = "
-                  "{:.6g} m, y = {:.6g} m; allowed: above it",
-                  set.x[k], set.y[k]));
-            add_going(ground, e, s, set.id[k]);
-          }
-      }
+  for (const Region& region : ground.spec.regions) {
+    const std::size_t removal = removal_of(region, all, 0);
+    for (std::size_t s = 0; removal < all.size() && s < ground.soil_sets; ++s) {
+      const Particles& set = ground.sets[s];
+      for (std::size_t k = 0; k < set.size(); ++k)
+        if (mesh::inside(region.polygon, set.x[k], set.y[k])) {
+          if (set.water)
+            throw std::invalid_argument(
+                fmt::format("soil that is removed while the ground is in motion lies below the water at x = "
+                            "{:.6g} m, y = {:.6g} m; allowed: above it",
+                            set.x[k], set.y[k]));
+          add_going(ground, removal, s, set.id[k]);
+        }
     }
   }
 }
@@ -95,9 +98,8 @@ void Earthworks::place(Ground& ground) {
       for (std::size_t k = 0; k < sets[s].size(); ++k) {
         Particles& set = ground.sets[s];
         add_copy(sets[s], k, set);
-        for (std::size_t later = begun_ + 1; later < all.size(); ++later)
-          if (has(all[later].remove, *region))
-            add_going(ground, later, s, set.id.back());
+        if (const std::size_t removal = removal_of(*region, all, begun_ + 1); removal < all.size())
+          add_going(ground, removal, s, set.id.back());
       }
 }
 

@@ -142,6 +142,21 @@ TEST(Earthworks, GoOnWithTheSameBitsFromACheckpoint) {
   }
 }
 
+TEST(Earthworks, RemoveASoilThatHasComeBack) {
+  Spec spec = built_and_dug();
+  const Region fill = spec.earthworks.front().place.front();
+  spec.regions.push_back(fill); // there from the start
+  spec.earthworks = {{{0.1, 0.1}, {}, {fill}}, {{0.3, 0.1}, {fill}, {}}, {{0.5, 0.1}, {}, {fill}}};
+  GroundInMotion ground(spec);
+  const std::size_t before = ground.domain.particle_count();
+  ground.go_to(0.25);
+  EXPECT_EQ(2 * ground.domain.particle_count(), before);
+  ground.go_to(0.45);
+  EXPECT_EQ(ground.domain.particle_count(), before);
+  ground.go_to(0.65);
+  EXPECT_EQ(2 * ground.domain.particle_count(), before);
+}
+
 /// Moves the ground up or down, as a shaking may have done.
 void move_ground(Domain& domain, double way) {
   for (double& y : domain.sets.front().y)
