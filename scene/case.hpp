@@ -263,8 +263,8 @@ struct LoadStage : StaticStage {
   double shear = 0.0;    ///< along it, towards +x, Pa
   std::string structure; ///< that it acts on; empty: it lies on the surface
   Point force;           ///< on the structure's centroid, N/m
-  /// Of one that comes after a shaking, and grows within `ramp` while the ground goes on in its own time:
-  /// when it begins, of the soil's time, s; none: it comes before, in a static stage.
+  /// When a load begins that comes after a shaking and grows within `ramp` in the soil's own time, s of that
+  /// time; none: it comes before the shaking, in a static stage.
   std::optional<double> start = std::nullopt;
 
   bool on_structure() const { return !structure.empty(); }

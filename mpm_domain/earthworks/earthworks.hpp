@@ -8,7 +8,7 @@
 //
 // makes the change come within T, as it does in the static stages (gravity/construction.hpp): at t_0 nothing
 // moves that has not moved before. Soil that stays keeps all that it has; its own law carries the change.
-// What is placed or removed is dry, so that it has no part in the pore water.
+// Only dry soil is placed or removed, since it takes no part in the flow of pore water.
 //
 // The work of c is booked as that of static tractions. The kinetic energy of what goes counts as lost between
 // particles and grid; the ground nearly rests then.

@@ -2,12 +2,10 @@
 
 import numpy as np
 
-from tremolo.series import Series
-
-FORCES = {"axial_force": "n", "shear_force": "q", "moment": "m"}
+from tremolo.section_forces import SectionForces
 
 
-class Lining(Series):
+class Lining(SectionForces):
     """What became of a [[lining]]: section forces in the middle of each element, places of the nodes, stresses on its outer face.
 
         ring = run.lining("ring")
@@ -36,25 +34,6 @@ class Lining(Series):
         span = f", {self.time[0]:g} to {self.time[-1]:g} s" if len(self) else ""
         return f"<Lining: {len(self)} rows{span}; {len(self.nodes)} elements, {len(self.segments)} segments>"
 
-    def _numbered(self, column):
-        """The columns of a name with the numbers 0, 1, ... behind it."""
-        return self._rows[:, [i for i, name in enumerate(self.columns) if name.rstrip("0123456789") == column]]
-
-    @property
-    def axial_force(self):
-        """N/m, tension positive."""
-        return self._numbered("n")
-
-    @property
-    def shear_force(self):
-        """N/m."""
-        return self._numbered("q")
-
-    @property
-    def moment(self):
-        """N m per m of tunnel; positive where it stretches the outer face."""
-        return self._numbered("m")
-
     @property
     def pressure(self):
         """Pa, of the soil on the outer face."""
@@ -64,22 +43,6 @@ class Lining(Series):
     def shear(self):
         """Pa, of the soil along the outer face, counter-clockwise on the lining."""
         return self._numbered("shear")
-
-    @property
-    def places(self):
-        """m, of the nodes."""
-        return np.stack([self._numbered("x"), self._numbered("y")], axis=-1)
-
-    def nearest(self, time):
-        """The row next to a time (s)."""
-        return int(np.argmin(np.abs(self.time - time)))
-
-    def envelope(self, force):
-        """The least and the greatest value of each element over all times: of "axial_force", "shear_force" or "moment"."""
-        if force not in FORCES:
-            raise KeyError(f"no section force '{force}'; there are {', '.join(FORCES)}")
-        values = getattr(self, force)
-        return values.min(axis=0), values.max(axis=0)
 
     def axis(self, time):
         """Places of the nodes at a time (s), m."""

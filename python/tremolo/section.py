@@ -2,12 +2,11 @@
 
 import numpy as np
 
-from tremolo.series import Series, text
+from tremolo.section_forces import SectionForces
+from tremolo.series import text
 
-FORCES = {"axial_force": "n", "shear_force": "q", "moment": "m"}
 
-
-class Section(Series):
+class Section(SectionForces):
     """What passes through a [[section]]: N, Q and M of a cut, or of each cut of a ring, in the signs of linings.
 
         foot = run.section("foot")
@@ -36,30 +35,6 @@ class Section(Series):
         cuts = "a cut" if self.centre is None else f"a ring of {len(self.cuts)} cuts"
         return f"<Section: {len(self)} rows{span}; {cuts} through '{self.structure}'>"
 
-    def _numbered(self, column):
-        """The column of each cut."""
-        return self._rows[:, [i for i, name in enumerate(self.columns) if name.rstrip("0123456789") == column]]
-
-    @property
-    def axial_force(self):
-        """N/m, tension positive."""
-        return self._numbered("n")
-
-    @property
-    def shear_force(self):
-        """N/m, positive where what lies ahead, to the left of the way along the cut, pushes from its end to its beginning."""
-        return self._numbered("q")
-
-    @property
-    def moment(self):
-        """N m per m, about the middle of the cut; positive where it stretches the end of the cut."""
-        return self._numbered("m")
-
-    @property
-    def places(self):
-        """m, of the middles of the cuts."""
-        return np.stack([self._numbered("x"), self._numbered("y")], axis=-1)
-
     @property
     def angles(self):
         """Degrees, in [0, 360), in which the cuts of a ring stand at the start."""
@@ -72,14 +47,3 @@ class Section(Series):
     def thickness(self):
         """m, of the structure at each cut at the start."""
         return np.linalg.norm(self.cuts[:, 1] - self.cuts[:, 0], axis=1)
-
-    def nearest(self, time):
-        """The row next to a time (s)."""
-        return int(np.argmin(np.abs(self.time - time)))
-
-    def envelope(self, force):
-        """The least and the greatest value of each cut over all times: of "axial_force", "shear_force" or "moment"."""
-        if force not in FORCES:
-            raise KeyError(f"no section force '{force}'; there are {', '.join(FORCES)}")
-        values = getattr(self, force)
-        return values.min(axis=0), values.max(axis=0)

@@ -62,7 +62,7 @@ std::vector<Key> way_keys() {
            .form = "[x, y]"}};
 }
 
-/// What is known of a plane wave before its way: whose motion it has, and its type.
+/// The keys of a plane wave but for its direction: whose motion it has, and its type.
 std::vector<Key> wave_keys() {
   return {{.name = "kind",
            .type = Type::choice,

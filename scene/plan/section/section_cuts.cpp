@@ -76,7 +76,8 @@ SectionCut cut_of(const Structure& structure, const Section::Line& line) {
   if (parts.empty())
     return {};
   const auto& [begin, end] = Part{parts.front().begin, parts.back().end};
-  // Of the line's length, at either end: the outline of a circle is a polygon whose corners stand out of it.
+  // A share of the line's length at either end: the outline of a circle is a polygon, whose corners stand
+  // out.
   constexpr double near_surface = 0.02;
   SectionCut cut{Crossing::once, {at(line, begin), at(line, end)}};
   if (parts.size() > 1)

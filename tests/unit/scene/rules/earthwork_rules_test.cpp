@@ -1,5 +1,5 @@
-// What is built after a shaking: how a case says it, and the rules of it, each with a case that keeps it and
-// one that breaks it.
+// Earthworks after a shaking: these tests hold how a case states them, and their rules, each with a case that
+// keeps it and one that breaks it.
 
 #include "../structure_case.hpp"
 #include "rule_cases.hpp"

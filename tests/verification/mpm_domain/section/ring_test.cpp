@@ -39,7 +39,7 @@ TEST(Ring, HasTheForcesOfTwoOppositeForces) {
   for (const double side : {-1.0, 1.0}) // spread over the thickness, so that no node is light
     for (const double r : {2.7, 2.85, 3.0, 3.15, 3.3})
       forces_on.push_back({{centre.x, centre.y + side * r}, {0.0, side * pull / 5.0}});
-  // Of ovaling: 2.68 sqrt(EI/(rho t R^4)).
+  // The frequency of ovaling is 2.68 sqrt(EI/(rho t R^4)).
   const double omega = 2.68 / (radius * radius) *
                        std::sqrt(young / (1.0 - poisson * poisson) * thickness * thickness / (12.0 * 2000.0));
   test::pull_to_rest(domain, forces_on, omega, 14.0 / omega);
