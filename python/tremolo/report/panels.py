@@ -104,7 +104,7 @@ def _chart(ax, key):
 
 def charts(figure, key):
     """A chart for each panel that holds lines or bars; panels of maps are left to the picture."""
-    figure.canvas.draw()  # limits and ticks are known from then on
+    figure.draw_without_rendering()  # limits and ticks are known from then on
     panels = [ax for ax in figure.axes if ax.axison and ax.get_label() != "<colorbar>"]
     return [_chart(ax, f"{key}-{number}") for number, ax in enumerate(panels) if ax.get_lines() or ax.containers]
 

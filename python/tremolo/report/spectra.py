@@ -20,10 +20,11 @@ def frequencies(duration, dt, count=160):
 
 
 def smoothed(lines, amplitude, centres):
-    """Mean of amplitudes at `lines` (Hz, > 0) under the window around each of the centres (Hz)."""
-    position = BANDWIDTH * np.log10(lines[None, :] / centres[:, None])
-    weight = np.sinc(position / np.pi) ** 4
-    return weight @ amplitude / weight.sum(axis=1)
+    """Mean of amplitudes at `lines` (Hz, > 0) under the window around each of the centres (Hz). Amplitudes of several spectra, a
+    column each, share the window, which costs most."""
+    position = BANDWIDTH * np.subtract.outer(np.log10(centres), np.log10(lines))
+    weight = np.square(np.square(np.sinc(position / np.pi)))
+    return ((weight @ amplitude).T / weight.sum(axis=1)).T
 
 
 def fourier_amplitude(acceleration, dt, centres):

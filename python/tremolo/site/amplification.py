@@ -20,9 +20,15 @@ def raw(model, below):
     return model.transfer["frequency"], np.where(ratio > 0.0, ratio, np.nan)
 
 
-def smoothed(model, below):
-    """Frequencies (Hz), even on a logarithmic axis, and ratios of smoothed spectra there."""
+def smoothed_frequencies(model):
+    """Frequencies (Hz), even on a logarithmic axis, of its smoothed spectra."""
     frequency = model.transfer["frequency"]
-    centres = spectra.frequencies(1.0 / frequency[1], 0.5 / frequency[-1])
-    above, under = (spectra.smoothed(frequency[1:], model.transfer[name][1:], centres) for name in ("surface", below))
-    return centres, spectra.ratio(above, under)
+    return spectra.frequencies(1.0 / frequency[1], 0.5 / frequency[-1])
+
+
+def smoothed(model, below):
+    """smoothed_frequencies(), and ratios of smoothed spectra there."""
+    frequency = model.transfer["frequency"]
+    centres = smoothed_frequencies(model)
+    amplitudes = np.column_stack([model.transfer[name][1:] for name in ("surface", below)])
+    return centres, spectra.ratio(*spectra.smoothed(frequency[1:], amplitudes, centres).T)

@@ -90,6 +90,7 @@ def amplifications(site):
     """Fourier amplitudes of the surface over those of the outcrop: smoothed, and raw below them."""
     colours = _colours(site)
     below = amplification.reference(site)
+    centres = amplification.smoothed_frequencies(site.first)
     figure, axes = style.plt.subplots(2, 1, figsize=(7.6, 6.8), layout="constrained")
     for ax, ratio, kind in zip(axes, (amplification.smoothed, amplification.raw), ("smoothed (Konno & Ohmachi, b = 40)", "raw")):
         for model in site.models.values():
@@ -99,7 +100,6 @@ def amplifications(site):
         ax.plot([fundamental, fundamental], [0.0, 1.0], color="0.5", linestyle=":", label=f"1/T0 = {fundamental:.3g} Hz",
                 transform=ax.get_xaxis_transform())
         ax.set(title=kind, ylabel=f"surface over {below}, Fourier", ylim=(0, None), xlabel="frequency (Hz)")
-        centres = amplification.smoothed(site.first, below)[0]
         logarithmic(ax, [tick for tick in FREQUENCIES if centres[0] <= tick <= centres[-1]], (centres[0], centres[-1]))
         ax.grid(color="0.92", linewidth=0.6)
         ax.legend()

@@ -61,9 +61,9 @@ def spectra(site):
 def amplifications(site, ratio):
     """`ratio` is amplification.raw or amplification.smoothed."""
     below = amplification.reference(site)
-    frequency, _ = ratio(site.first, below)
-    ratios = {model.name: np.interp(frequency, *ratio(model, below)) for model in site.models.values()}
-    return {"frequency_Hz": frequency} | {f"{name}_surface_to_{below}": values for name, values in ratios.items()}
+    found = {model.name: ratio(model, below) for model in site.models.values()}
+    frequency, _ = found[site.first.name]
+    return {"frequency_Hz": frequency} | {f"{name}_surface_to_{below}": np.interp(frequency, *one) for name, one in found.items()}
 
 
 def profile(model):
