@@ -72,7 +72,7 @@ level = 0.0
 {ground}
 [mesh]
 size = 0.5
-box = [0.0, -10.0, 20.0, {top}]
+box = [0.0, -10.0, {width}, {top}]
 
 [boundary]
 left = {{ {left} }}
@@ -85,7 +85,7 @@ duration_s = {duration}
 
 [[monitor]]
 name = "surface"
-point = [10.0, {monitor}]
+point = [{middle}, {monitor}]
 
 [[monitor]]
 name = "inside"
@@ -107,7 +107,7 @@ class BoxWorkspace(small_case.Workspace):
 
     template = BOX
     defaults = {"frequency": 3.0, "peak_time": 0.5, "angle": 0.0, "reference": -12.0, "halfspace": HALFSPACE, "ground": FLAT,
-                "top": 0.0, "monitor": 0.0, "left": model("wave"), "right": model("wave"), "base": model("wave"),
+                "top": 0.0, "width": 20.0, "middle": 10.0, "monitor": 0.0, "left": model("wave"), "right": model("wave"), "base": model("wave"),
                 "duration": 1.2}
 
 

@@ -30,7 +30,9 @@ def to_column(monitor, history):
 
 class Damping(unittest.TestCase):
     """10 m of soil on stiffer rock under a pulse of 3 Hz, without damping and with 5 %, at 3 Hz or over a band, by the model of
-    the free field."""
+    the free field. All that errs are the sides and the base; a narrow domain says as much as a wide one."""
+
+    WIDTH = 6.0  # m
 
     @classmethod
     def setUpClass(cls):
@@ -39,10 +41,11 @@ class Damping(unittest.TestCase):
     @classmethod
     def measured(cls, name, damped):
         everywhere = {side: model(name) for side in ("left", "right", "base")}
-        ground = FLAT + PROFILE
+        ground = FLAT.replace("20.0", str(cls.WIDTH)) + PROFILE
         if damped:
             ground += f'\n[damping]\nmodel = "{damped}"\nratio = 0.05\n{FREQUENCIES[damped]}\n'
-        with BoxWorkspace(TREMOLO, ground=ground, halfspace=STIFF, duration=2.0, **everywhere) as work:
+        with BoxWorkspace(TREMOLO, ground=ground, halfspace=STIFF, width=cls.WIDTH, middle=0.5 * cls.WIDTH, duration=1.6,
+                          **everywhere) as work:
             run = Run(with_frames(work).run("run"))
             assert run.status == "complete"
             exact = work.path / "exact.h5"
@@ -62,19 +65,19 @@ class Damping(unittest.TestCase):
         self.assertEqual(0.0, self.runs["fe", None]["viscous"])
 
     def test_a_damped_domain_is_as_even_as_an_undamped_one(self):
-        """Measured, undamped, viscous, constant: 0.19, 0.19, 0.18 % (wave), 0.22, 0.21, 0.21 % (fe), 0.08, 0.07, 0.07 % (mpm)."""
+        """Measured, undamped, viscous, constant: 0.24, 0.23, 0.22 % (wave), 0.26, 0.25, 0.25 % (fe), 0.06, 0.05, 0.05 % (mpm)."""
         for name, damped in DAMPED:
             self.assertLess(self.runs[name, damped]["uneven"], 1.1 * self.runs[name, None]["uneven"], (name, damped))
 
     def test_a_damped_domain_does_what_the_exact_column_does(self):
-        """Measured, undamped, viscous, constant: 0.14, 0.11, 0.13 % (wave), 0.16, 0.12, 0.14 % (fe), 0.18, 0.13, 0.14 % (mpm);
+        """Measured, undamped, viscous, constant: 0.09, 0.07, 0.10 % (wave), 0.12, 0.09, 0.12 % (fe), 0.18, 0.13, 0.14 % (mpm);
         peaks within 0.1 %."""
         for name, damped in DAMPED:
             self.assertLess(self.runs[name, damped]["to_column"], 1.1 * self.runs[name, None]["to_column"], (name, damped))
             self.assertAlmostEqual(1.0, self.runs[name, damped]["peak"], delta=0.005, msg=(name, damped))
 
     def test_the_ledger_closes(self):
-        """Measured: 1e-3 of the work of the boundary undamped, 2e-4 with viscous damping in shorter steps, 9e-4 with constant."""
+        """Measured: 4e-4 of the work of the boundary undamped, 7e-5 with viscous damping in shorter steps, 3.8e-4 with constant."""
         for name, damped in DAMPED:
             self.assertLess(self.runs[name, damped]["residual"], self.runs[name, None]["residual"], (name, damped))
 
