@@ -67,7 +67,7 @@ TEST(WetHardCases, AMinuteOfLiquefactionStaysBounded) {
 TEST(WetHardCases, TenMinutesOfReconsolidationCloseTheWaterBalance) {
   const auto sand = pm4sand_column("", 0.55, 677.0, 0.40, 1e-4);
   const Profile profile = liquefying_profile(sand);
-  TwoPhaseColumn column(profile, liquefying_settings(0.5, 2.4e-4), BaseShaking(0.981));
+  TwoPhaseColumn column(profile, liquefying_settings(1.0, 4.8e-4), BaseShaking(0.981));
   double outflow = 0.0, before = 2.0;
   const double weight = 9.81 * materials::buoyant_density(*profile.layers[0].pores, {}) * 5.0;
   double next = 30.0;

@@ -109,7 +109,7 @@ struct RunOut {
 /// A bank of strain-softening soil on cells of a size, 6 s after it fails.
 RunOut run_out(double h) {
   const auto make = [h](int threads) {
-    return failing(bank(5.0, 1.0, 6.0, 14.0, h), threads,
+    return failing(bank(5.0, 1.0, 4.0, 11.0, h), threads,
                    {.elastic = {1700.0, 40e6, 0.28},
                     .cohesion_peak = 4e3,
                     .cohesion_residual = 500.0,

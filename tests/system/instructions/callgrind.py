@@ -19,21 +19,22 @@ class Counted:
     """What a function takes while a program runs a model; the program prints how many updates of a particle it made."""
 
     def __init__(self, program, model, function):
-        with tempfile.TemporaryDirectory() as folder:
-            run = subprocess.run(
-                ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/out", f"--toggle-collect={function}",
-                 program, model], capture_output=True, text=True)
-            if "unrecognised instruction" in run.stderr:
-                print("valgrind does not know this processor's instructions: skipped")
-                sys.exit(SKIPPED)
-            assert run.returncode == 0, run.stderr
-            self.instructions = int(re.search(r"Collected : (\d+)", run.stderr)[1])
-            self._table = subprocess.run(["callgrind_annotate", "--inclusive=yes", "--threshold=100", f"{folder}/out"],
-                                         capture_output=True, text=True, check=True).stdout
+        self._folder = tempfile.TemporaryDirectory()
+        self._counts = f"{self._folder.name}/out"
+        run = subprocess.run(
+            ["valgrind", "--tool=callgrind", f"--callgrind-out-file={self._counts}", f"--toggle-collect={function}", program, model],
+            capture_output=True, text=True)
+        if "unrecognised instruction" in run.stderr:
+            print("valgrind does not know this processor's instructions: skipped")
+            sys.exit(SKIPPED)
+        assert run.returncode == 0, run.stderr
+        self.instructions = int(re.search(r"Collected : (\d+)", run.stderr)[1])
         assert self.instructions > 0, f"callgrind has found no {function}"
         self.updates = int(run.stdout)
 
     def share_within(self, function):
         """Of the instructions, those within a function that the first one calls."""
-        line = next(line for line in self._table.splitlines() if function in line)
+        table = subprocess.run(["callgrind_annotate", "--inclusive=yes", "--threshold=100", self._counts],
+                               capture_output=True, text=True, check=True).stdout
+        line = next(line for line in table.splitlines() if function in line)
         return int(line.split("(")[0].replace(",", "")) / self.instructions

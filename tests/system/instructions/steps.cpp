@@ -26,7 +26,7 @@ constexpr int cells = 48;         // a side of the square
 constexpr double cell_size = 1.0; // m
 constexpr int square_steps = 10;
 constexpr int slope_steps = 4;
-constexpr int block_steps = 20;
+constexpr int block_steps = 12;
 const materials::Elasticity soil{1700.0, 40e6, 0.28};
 
 /// The scheme of the plain loop: update stress last, FLIP.

@@ -74,7 +74,7 @@ class ResumeCase(unittest.TestCase):
 
 class Resume(ResumeCase):
     def test_three_models_with_their_exchange_recorded(self):
-        with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=2.0)), every_steps=100) as work:
+        with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=1.0)), every_steps=50) as work:
             whole = self.broken_and_resumed(work)
             self.assertEqual(2, len(checkpoints(whole)))
 
@@ -106,12 +106,12 @@ class Resume(ResumeCase):
             self.assertEqual([], differences(folder, whole))
 
     def test_a_resumed_run_that_dies_is_resumed_again(self):
-        with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=2.0)), every_steps=60) as work:
+        with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=1.0)), every_steps=30) as work:
             whole = whole_run(work)
             folder = work.path / "broken"
             last = checkpoints(whole)[-1]
             first, _ = killed(work, folder, ["run", work.case, "--out", folder], last // 3, victim="domain")
-            again, text = killed(work, folder, ["resume", folder], max(checkpoints(folder)) + 60, victim="domain")
+            again, text = killed(work, folder, ["resume", folder], max(checkpoints(folder)) + 30, victim="domain")
             self.assertEqual(("domain", "domain"), (first, again), text)
             # One that died while it took over what its files held before has left them aside.
             for name in ("run.h5", "exchange.h5"):

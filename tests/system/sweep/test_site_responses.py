@@ -3,11 +3,8 @@
     usage: test_site_responses.py TREMOLO SOURCE_DIR
 """
 
-import csv
-import json
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -15,45 +12,9 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path[:0] = [str(SOURCE / "python")]
 
 import numpy as np
+from layer_study import COUNT, DAMPING, DEPTH, RHO, ROCK, SIGMA, VS, Workspace
 from tremolo import Run
 from tremolo.site import suite
-
-ROCK, RHO, VS, DEPTH, DAMPING = 2000.0 * 400.0, 1800.0, 200.0, 20.0, 0.05
-SIGMA, COUNT = 0.2, 40
-
-CASE = f"""title = "one layer on rock"
-[motion]
-pulse = {{ shape = "ricker", frequency = 3.0, time = 1.0, velocity = 1e-3 }}
-wave = "SV"
-angle_deg = 0.0
-reference = [0.0, -20.0]
-[surface]
-level = 0.0
-[halfspace]
-density = 2000.0
-vs = 400.0
-vp = 800.0
-[[profile]]
-thickness = {DEPTH}
-density = {RHO}
-vs = {VS}
-vp = 400.0
-[damping]
-model = "hysteretic"
-ratio = {DAMPING}
-reference_hz = 3.0
-"""
-
-# The whole layer has one factor.
-STUDY = f"""case = "case.toml"
-[column]
-models = ["wave"]
-[axes]
-random_profile.realisation = {{ count = {COUNT} }}
-random_profile.site_class = ["usgs_c"]
-random_profile.sigma_ln = [{SIGMA}]
-random_profile.layer_thickness = [100]
-"""
 
 
 def amplified(frequency, vs):
@@ -63,38 +24,10 @@ def amplified(frequency, vs):
     return np.abs(1.0 / (np.cos(phase) + 1j * RHO * speed / ROCK * np.sin(phase)))
 
 
-class Workspace:
-    """A temporary folder with the case and a study of it."""
-
-    def __init__(self, study=STUDY, case=CASE):
-        self._place = tempfile.TemporaryDirectory()
-        self.path = Path(self._place.name)
-        self.out, self.study, self.case = self.path / "out", self.path / "study.toml", self.path / "case.toml"
-        self.study.write_text(study)
-        self.case.write_text(case)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self._place.cleanup()
-
-    def sweep(self, *words):
-        return subprocess.run([TREMOLO, "sweep", self.study, "--out", self.out, *words], capture_output=True, text=True, timeout=240,
-                              cwd=self.path)
-
-    def rows(self):
-        with open(self.out / "sweep.csv", newline="", encoding="utf-8") as stream:
-            return list(csv.DictReader(stream))
-
-    def made(self):
-        return {path.parent.name: path.stat().st_mtime_ns for path in (self.out / "runs").glob("*/*.h5")}
-
-
 class LinearLayer(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.work = Workspace()
+        cls.work = Workspace(TREMOLO)
         cls.addClassCleanup(cls.work.__exit__)
         cls.done = cls.work.sweep()
         assert cls.done.returncode == 0, cls.done.stdout + cls.done.stderr
@@ -156,47 +89,6 @@ class LinearLayer(unittest.TestCase):
         done = self.work.sweep()
         self.assertIn(f"{COUNT} runs, {COUNT} of them done", done.stdout)
         self.assertEqual(before, self.work.made())
-
-
-class Models(unittest.TestCase):
-    STUDY = STUDY.replace('"wave"', '"wave", "eql"').replace(f"count = {COUNT}", "count = 2") + "motion.pulse.velocity = [1e-3, 2e-3]\n"
-
-    def test_each_is_a_row_and_an_addition_keeps_the_others(self):
-        with Workspace(self.STUDY.replace('"wave", "eql"', '"wave"')) as work:
-            self.assertEqual(0, work.sweep().returncode)
-            before = work.made()
-            work.study.write_text(self.STUDY)
-            done = work.sweep()
-            self.assertEqual(0, done.returncode, done.stdout + done.stderr)
-            self.assertIn("8 runs, 4 of them done", done.stdout)
-            rows = work.rows()
-            self.assertEqual(["wave", "eql"] * 4, [row["model"] for row in rows])
-            after = work.made()
-            self.assertEqual(before, {name: after[name] for name in before})
-            # Without curves both are one model.
-            for wave, eql in zip(rows[::2], rows[1::2]):
-                self.assertAlmostEqual(1.0, float(eql["surface.pga_m_s2"]) / float(wave["surface.pga_m_s2"]), places=6)
-            heading = (work.out / "tables/spectra.csv").read_text().splitlines()[0]
-            self.assertIn("wave_motion.pulse.velocity=0.001_surface_median_g", heading)
-            self.assertEqual("model", json.loads((work.out / "sweep.json").read_text())["measures"]["colour"])
-
-
-class Refused(unittest.TestCase):
-    def refusal(self, study, text, case=CASE):
-        with Workspace(study, case) as work:
-            done = work.sweep()
-            self.assertFalse(work.out.exists())
-            self.assertEqual(2, done.returncode, done.stdout + done.stderr)
-            self.assertIn(text, done.stderr)
-
-    def test_places_are_those_of_the_study(self):
-        self.refusal(STUDY.replace("usgs_c", "usgs_e"), "study.toml:6:30: [axes] 'random_profile.site_class' = \"usgs_e\": ")
-        self.refusal(STUDY.replace(f"[{SIGMA}]", "[2.0]"), "study.toml:7:28: [axes] 'random_profile.sigma_ln' = 2.0: 'sigma_ln' = 2 is out of range")
-        self.refusal(STUDY.replace('random_profile.site_class = ["usgs_c"]\n', "").replace(f"random_profile.sigma_ln = [{SIGMA}]\n", ""),
-                     "missing 'site_class', or each of")
-
-    def test_a_model_that_cannot_take_the_case(self):
-        self.refusal(STUDY.replace('"wave"', '"ode"'), "[ode]", CASE.replace("angle_deg = 0.0", "angle_deg = 10.0").replace("vp = 400.0", "vp = 500.0"))
 
 
 if __name__ == "__main__":

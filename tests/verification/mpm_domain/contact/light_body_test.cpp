@@ -64,9 +64,10 @@ protected:
   /// @param adhesion  to soil at a depth (m), Pa
   /// @param mu        friction
   /// @param left      share of the effective stress that is left
+  /// @param side      distance of the domain's sides from the middle of the shaft, m
   template <class Adhesion>
-  static double risen(const Adhesion& adhesion, double mu, double left = 0.0) {
-    constexpr double layer = 0.5, side = 8.0, base = 9.0; // m
+  static double risen(const Adhesion& adhesion, double mu, double left, double side) {
+    constexpr double layer = 0.5, base = 9.0; // m
     Spec spec = saturated_flat_ground(2.0 * side, base, 0.25, materials::Drainage::undrained, 2e7);
     materials::MohrCoulomb sand;
     sand.elastic = {saturated, 2e7, 0.3};
@@ -97,10 +98,12 @@ protected:
 };
 
 TEST_F(LightShaft, RisesThoughWaterPressesOnItsSides) {
-  const double right = risen(none, friction);
+  constexpr double side = 5.0;
+  const double right = risen(none, friction, 0.0, side);
   // Wrong: friction of the impulse on the grains, which bear (1 - n) p at the wall.
-  const double wrong = risen(
-      [](double y) { return friction * (1.0 - heavy_fluid::porosity) * saturated * gravity * y; }, friction);
+  const double wrong =
+      risen([](double y) { return friction * (1.0 - heavy_fluid::porosity) * saturated * gravity * y; },
+            friction, 0.0, side);
   EXPECT_GT(right, 0.03);
   EXPECT_LT(wrong, 0.1 * right);
   RecordProperty("risen", std::to_string(right));
@@ -112,8 +115,8 @@ class AcceptanceLightShaft : public LightShaft {};
 TEST_F(AcceptanceLightShaft, FrictionHoldsItBackByTheEffectiveStressThatIsLeft) {
   // The lift less what holds its base is some 19 kN/m. A fifth is left of the earth pressure at rest
   // on both sides, which is 0.43 times the vertical one, 141 kN/m, and friction makes 11 kN/m of it.
-  const double smooth = risen(none, 0.0, 0.2);
-  const double rough = risen(none, friction, 0.2);
+  const double smooth = risen(none, 0.0, 0.2, 8.0);
+  const double rough = risen(none, friction, 0.2, 8.0);
   EXPECT_GT(rough, 0.01);
   EXPECT_LT(rough, 0.8 * smooth);
   RecordProperty("risen_without_friction", std::to_string(smooth));
