@@ -220,15 +220,21 @@ TEST_F(Agreement, AcceptanceCasesOfAllPairsStart) {
   EXPECT_LT(start_pairs(20261125, all ? std::numeric_limits<std::size_t>::max() : 60), 0.5);
 }
 
-TEST_F(Agreement, ShippedColumnsRun) {
+class ShippedColumns : public Agreement, public ::testing::WithParamInterface<scene::SourceModel> {};
+
+TEST_P(ShippedColumns, Run) {
   std::size_t columns = 0;
   for (const auto& folder : std::filesystem::directory_iterator(source_dir() + "/cases"))
     if (const auto file = folder.path() / "case.toml"; std::filesystem::exists(file))
-      for (const scene::SourceModel model : {scene::SourceModel::wave, scene::SourceModel::fe,
-                                             scene::SourceModel::ode, scene::SourceModel::eql})
-        columns += expect_column_runs(file, model) ? 1 : 0;
-  EXPECT_GT(columns, 5u);
+      columns += expect_column_runs(file, GetParam()) ? 1 : 0;
+  std::printf("%zu columns\n", columns);
+  EXPECT_GT(columns, 1u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Models, ShippedColumns,
+                         ::testing::Values(scene::SourceModel::wave, scene::SourceModel::fe,
+                                           scene::SourceModel::ode, scene::SourceModel::eql),
+                         [](const auto& of) { return std::string(scene::name(of.param)); });
 
 /// Random cases: each factor is that of the plain case as often as not.
 TEST_F(Agreement, RandomCasesStart) {
