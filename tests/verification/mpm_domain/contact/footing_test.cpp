@@ -63,9 +63,10 @@ TEST_P(PrandtlsPunch, CarriesTwoPlusPiTimesTheCohesion) {
   EXPECT_FALSE(carries(GetParam(), 1.07));
 }
 
-INSTANTIATE_TEST_SUITE_P(Punches, PrandtlsPunch, testing::Values(Punch{true, 0.25}));
+INSTANTIATE_TEST_SUITE_P(Punches, PrandtlsPunch, testing::Values(Punch{true, 0.4}));
 INSTANTIATE_TEST_SUITE_P(AcceptancePunches, PrandtlsPunch,
-                         testing::Values(Punch{false, 0.25}, Punch{true, 0.2}, Punch{false, 0.2}));
+                         testing::Values(Punch{true, 0.25}, Punch{false, 0.25}, Punch{true, 0.2},
+                                         Punch{false, 0.2}));
 
 TEST(PrandtlsPunch, StandsStraightAndBearsWithItsWeight) {
   test_support::StandingScene scene(punch_on_clay({true, 0.25}, 0.5));
