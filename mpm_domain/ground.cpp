@@ -102,11 +102,6 @@ void check_linings(const Spec& spec) {
     if (lining.friction.size() != spec.soils.size() || lining.adhesion.size() != spec.soils.size())
       throw std::invalid_argument(fmt::format("lining '{}' needs friction and adhesion for each of {} soils",
                                               lining.name, spec.soils.size()));
-    if (spec.water)
-      throw std::invalid_argument(fmt::format(
-          "lining '{}' stands in ground with a water table: the pressure of pore water on linings is not "
-          "computed, so that they stand in dry ground alone",
-          lining.name));
     check_room_of(lining, spec);
   }
 }

@@ -19,7 +19,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 constexpr double most_nodes = 15000; ///< of a flow that is found in seconds
-constexpr double tight = 1e-6;       ///< permeability of a structure over the least of the soils
+constexpr double tight = 1e-6;       ///< permeability of a structure or lining over the least of the soils
 
 HeadGrid grid_of(const Spec& spec) {
   const double width = spec.box.x_max - spec.box.x_min;
@@ -55,9 +55,8 @@ public:
   }
 
   std::optional<double> at(double x, double y) const {
-    if (std::ranges::any_of(spec_.structures, [&](const Structure& structure) {
-          return mesh::inside(structure.outline, x, y);
-        }))
+    const auto holds = [&](const auto& body) { return mesh::inside(body.outline, x, y); };
+    if (std::ranges::any_of(spec_.structures, holds) || std::ranges::any_of(spec_.linings, holds))
       return tight * least_;
     const auto region = std::find_if(spec_.regions.rbegin(), spec_.regions.rend(),
                                      [&](const Region& r) { return mesh::inside(r.polygon, x, y); });

@@ -9,9 +9,9 @@
 //     the surface below free water, which reaches from a side to where the ground rises above its level,
 //     the rest of the surface, where it can only leave.
 //
-// The base is sealed, and structures are all but tight. The heads at the nodes of the regular grid follow
-// from those of the mesh, by their slope there; outside of the ground they go on for one cell so, and are
-// then those of free water, or of the nearest ground.
+// The base is sealed, and structures and linings are all but tight. The heads at the nodes of the regular
+// grid follow from those of the mesh, by their slope there; outside of the ground they go on for one cell so,
+// and are then those of free water, or of the nearest ground.
 
 #include "mpm_domain/head/head.hpp"
 #include "mpm_domain/spec/spec.hpp"

@@ -2,6 +2,8 @@
 
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/lining/beam/beam_step.hpp"
+#include "mpm_domain/lining/water/water_before.hpp"
+#include "mpm_domain/lining/water/water_load.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
 
 #include <fmt/format.h>
@@ -28,8 +30,64 @@ double full_mass(const Ground& ground) {
   return density * h * h;
 }
 
-SoilMotion after_update(const Grid& grid) {
-  return {grid.mass, grid.vx_after, grid.vy_after};
+SoilMotion after_update(const Grid& grid, std::span<const NodeFlow> flows = {}) {
+  return {grid.mass, grid.vx_after, grid.vy_after, flows};
+}
+
+/// A node of the segments, and its motion after the update.
+struct MetNode {
+  std::size_t node;
+  Vector grains, water; ///< m/s
+};
+
+std::vector<MetNode> met_nodes(const Grid& grid, std::span<const SegmentRows> rows) {
+  std::vector<std::size_t> numbers;
+  for (const SegmentRows& of : rows)
+    for (const NodeShare& of_node : of.soil)
+      numbers.push_back(of_node.node);
+  std::ranges::sort(numbers);
+  const auto twice = std::ranges::unique(numbers);
+  numbers.erase(twice.begin(), twice.end());
+  std::vector<MetNode> nodes;
+  for (const std::size_t n : numbers)
+    nodes.push_back({n, grid.velocity_after(n),
+                     grid.traits.flowing ? Vector{grid.wx_after[n], grid.wy_after[n]} : Vector{}});
+  return nodes;
+}
+
+/// What contact changes of the energy of nodes, which then move as they will; what they have lost of it
+/// stands as impact, before the beam's share. Drag has been booked on the mean of w before contact.
+LiningWork soil_work(Ground& ground, std::span<const MetNode> nodes, std::span<const NodeFlow> flows,
+                     double kick) {
+  Grid& grid = ground.grid;
+  LiningWork work;
+  const auto mean = [](const Vector& a, const Vector& b) {
+    return Vector{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+  };
+  for (const auto& [n, grains, water] : nodes) {
+    const Vector after = grid.velocity_after(n);
+    const Vector change = difference(after, grains);
+    grid.ax[n] += change.x / kick;
+    grid.ay[n] += change.y / kick;
+    work.kinetic += 0.5 * grid.mass[n] * (square(after) - square(grains));
+    work.gravity -= 0.5 * kick * ground.spec.gravity * grid.mass[n] * change.y;
+    work.impact -= grid.mass[n] * dot(change, mean(grid.velocity_before(n), after));
+    const auto flow = std::ranges::lower_bound(flows, n, {}, &NodeFlow::node);
+    if (flow == flows.end() || flow->node != n)
+      continue;
+    const Vector water_before{grid.wx_before[n], grid.wy_before[n]};
+    const Vector water_after{grid.wx_after[n], grid.wy_after[n]};
+    const Vector water_change = difference(water_after, water);
+    const double full = ground.spec.water->fluid.density * grid.wet_volume[n];
+    const double push = kick * flow->water_mass / full;
+    const Vector gained = difference(water, water_before);
+    const Vector drag{push * grid.water_force_x[n] - flow->water_mass * gained.x,
+                      push * grid.water_force_y[n] - flow->water_mass * gained.y};
+    work.kinetic += 0.5 * flow->water_mass * (square(water_after) - square(water));
+    work.drag += 0.5 * dot(drag, difference(water_change, change));
+    work.impact -= flow->water_mass * dot(water_change, mean(water_before, water_after));
+  }
+  return work;
 }
 
 } // namespace
@@ -84,31 +142,18 @@ void LiningBody::find_segments(const Ground& ground) {
   take_soils(ground);
 }
 
-std::vector<double> LiningBody::weights(const Ground& ground) const {
+std::vector<double> LiningBody::loads(const Ground& ground) const {
   std::vector<double> forces(beam_.places().size(), 0.0);
   for (std::size_t k = 0; k < beam_.node_count(); ++k) {
     const std::size_t y = beam_.first_dof(k) + 1;
     forces[y] = -ground.spec.gravity * beam_.masses()[y];
   }
+  add_rest_pressure(ground, surface_.points(), beam_, forces);
   return forces;
 }
 
-LiningWork LiningBody::meet(Ground& ground, double kick, double dt) {
-  find_segments(ground);
-  Grid& grid = ground.grid;
-  const std::vector<double> weight = weights(ground);
-  const BeamStep step(beam_, kick, dt, weight);
-  const std::vector<double> v = contact_.meet(rows_, after_update(grid), step, kick, dt, false);
-  LiningWork work;
-  for (const auto& [n, change] : contact_.changes(rows_, grid.mass)) {
-    const Vector trial = grid.velocity_after(n);
-    grid.vx_after[n] += change.x;
-    grid.vy_after[n] += change.y;
-    grid.ax[n] += change.x / kick;
-    grid.ay[n] += change.y / kick;
-    work.kinetic += 0.5 * grid.mass[n] * (square(grid.velocity_after(n)) - square(trial));
-    work.gravity -= 0.5 * kick * ground.spec.gravity * grid.mass[n] * change.y;
-  }
+void LiningBody::book_beam(const Grid& grid, std::span<const double> weight, std::span<const double> v,
+                           double kick, LiningWork& work) const {
   std::vector<double> middle(v.size());
   for (std::size_t i = 0; i < v.size(); ++i) {
     const double before = beam_.velocities()[i];
@@ -119,14 +164,40 @@ LiningWork LiningBody::meet(Ground& ground, double kick, double dt) {
   for (const SegmentRows& of : rows_) {
     const Vector impulse = contact_.impulse(of);
     const Vector of_beam = beam_velocity(of, middle);
+    work.elements += dot(impulse, of_beam);
+    work.impact -= dot(impulse, of_beam);
+    const SegmentContact& segment = contact_.segments()[of.segment];
+    if (segment.slip == 0)
+      continue;
     const Vector before = soil_velocity(of, grid.vx_before, grid.vy_before);
     const Vector after = soil_velocity(of, grid.vx_after, grid.vy_after);
     const Vector slip{0.5 * (before.x + after.x) - of_beam.x, 0.5 * (before.y + after.y) - of_beam.y};
-    work.elements += dot(impulse, of_beam);
-    work.impact += dot(impulse, slip);
-    if (const SegmentContact& segment = contact_.segments()[of.segment]; segment.slip != 0)
-      work.friction += segment.tangential_impulse * dot(of.tangent(), slip);
+    work.friction += segment.tangential_impulse * dot(of.tangent(), slip);
   }
+}
+
+LiningWork LiningBody::meet(Ground& ground, double kick, double dt) {
+  find_segments(ground);
+  Grid& grid = ground.grid;
+  flows_ = find_flows(ground, rows_, kick);
+  const std::vector<MetNode> nodes = met_nodes(grid, rows_);
+  const WaterBefore water = find_water_before(ground, near_, surface_.bounds(), rows_, kick);
+  stop_flow(ground, flows_);
+  const std::vector<double> weight = loads(ground);
+  const BeamStep step(beam_, kick, dt, weight);
+  const SoilMotion trial = after_update(grid, flows_);
+  const std::vector<double> v = contact_.meet(rows_, trial, step, kick, dt, false, water);
+  for (const auto& [n, change, of_water] : contact_.changes(rows_, trial)) {
+    grid.vx_after[n] += change.x;
+    grid.vy_after[n] += change.y;
+    if (grid.traits.flowing) {
+      const bool flows = trial.flow(n) != nullptr;
+      grid.wx_after[n] = flows ? grid.wx_after[n] + of_water.x : grid.vx_after[n];
+      grid.wy_after[n] = flows ? grid.wy_after[n] + of_water.y : grid.vy_after[n];
+    }
+  }
+  LiningWork work = soil_work(ground, nodes, flows_, kick);
+  book_beam(grid, weight, v, kick, work);
   work.impact -= work.friction;
   contact_.follow_gaps(rows_, after_update(grid), v, dt);
   beam_.set_velocities(v);
@@ -136,11 +207,29 @@ LiningWork LiningBody::meet(Ground& ground, double kick, double dt) {
 double LiningBody::meet_remapped(Ground& ground) const {
   Grid& grid = ground.grid;
   double power = 0.0;
-  const SoilMotion remapped{grid.mass, grid.vx_strain, grid.vy_strain};
-  for (const auto& [n, change] : contact_.stopped(rows_, remapped, beam_.velocities())) {
+  const SoilMotion remapped{grid.mass, grid.vx_strain, grid.vy_strain, flows_};
+  // n w, without its part through the lining.
+  std::vector<Vector> flow;
+  for (const NodeFlow& of : flows_) {
+    const std::size_t n = of.node;
+    const Vector w{grid.flux_x[n] - grid.vx_strain[n], grid.flux_y[n] - grid.vy_strain[n]};
+    const double through = dot(of.normal, w);
+    power += through * dot(of.normal, {grid.water_force_x[n], grid.water_force_y[n]});
+    flow.push_back({w.x - through * of.normal.x, w.y - through * of.normal.y});
+  }
+  for (const auto& [n, change, water] : contact_.stopped(rows_, remapped, beam_.velocities())) {
     grid.vx_strain[n] += change.x;
     grid.vy_strain[n] += change.y;
     power -= grid.force_x[n] * change.x + (grid.force_y[n] + grid.mass[n] * ground.spec.gravity) * change.y;
+    if (grid.traits.flowing) { // water that does not flow goes along
+      grid.flux_x[n] = grid.vx_strain[n];
+      grid.flux_y[n] = grid.vy_strain[n];
+    }
+  }
+  for (std::size_t k = 0; k < flows_.size(); ++k) {
+    const std::size_t n = flows_[k].node;
+    grid.flux_x[n] = grid.vx_strain[n] + flow[k].x;
+    grid.flux_y[n] = grid.vy_strain[n] + flow[k].y;
   }
   return power;
 }
@@ -156,10 +245,10 @@ double LiningBody::move(Ground& ground, double dt) {
 double LiningBody::relax(Ground& ground, double keep, double gain, double dt, bool bonded,
                          std::span<const unsigned char> left_out) {
   Grid& grid = ground.grid;
-  const BeamStep step(beam_, gain, dt, weights(ground), keep);
+  const BeamStep step(beam_, gain, dt, loads(ground), keep);
   const std::vector<double> v = contact_.meet(rows_, after_update(grid), step, gain, dt, bonded);
   double unbalanced = 0.0;
-  for (const auto& [n, change] : contact_.changes(rows_, grid.mass)) {
+  for (const auto& [n, change, water] : contact_.changes(rows_, after_update(grid))) {
     const double inertia = grid.mass[n] / gain;
     grid.vx_after[n] += change.x;
     grid.vy_after[n] += change.y;

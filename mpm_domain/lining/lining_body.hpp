@@ -7,6 +7,10 @@
 // Where the velocities that strain the soil are remapped (musl), segments that are tied take from them what
 // would drive soil into the lining, which moves no particle and no beam.
 //
+// In wet soil, hydrostatic pressure acts on the beam (water_load.hpp), and what water and grains bear beyond
+// it comes through contact (water_before.hpp). A lining is impervious: at the nodes of its segments no water
+// flows along the normal.
+//
 // Energy. The beam's kinetic energy changes by the powers of impulses, weight and elements on (v- + v+)/2.
 // What the elements take is booked as elastic work as far as their strain energy grows, and the rest, what
 // backward Euler damps, as viscous.
@@ -14,6 +18,7 @@
 #include "mpm_domain/contact/body_surface.hpp"
 #include "mpm_domain/contact/contact_nodes.hpp"
 #include "mpm_domain/lining/lining_contact.hpp"
+#include "mpm_domain/lining/soil_motion.hpp"
 
 #include <span>
 #include <string>
@@ -21,12 +26,14 @@
 
 namespace tremolo::mpm_domain {
 
+struct Grid;
 struct Ground;
 
 /// What a lining changes of the energy in a step, J/m.
 struct LiningWork {
-  double kinetic = 0.0;  ///< of the soil's nodes
-  double gravity = 0.0;  ///< work of weight on the beam, and on what contact changes of the soil
+  double kinetic = 0.0;  ///< of the soil's nodes, grains and water
+  double gravity = 0.0;  ///< work of weight and water at rest on the beam, and on what contact changes
+  double drag = 0.0;     ///< as in MixtureUpdate
   double elements = 0.0; ///< what the elements have taken from the motion of the beam
   double friction = 0.0; ///< dissipated by sliding, >= 0
   double impact = 0.0;   ///< dissipated where lining and soil meet, or part
@@ -87,7 +94,12 @@ public:
 private:
   void find_segments(const Ground& ground);
   void take_soils(const Ground& ground);
-  std::vector<double> weights(const Ground& ground) const;
+  /// Weight and hydrostatic pressure on the beam, N/m and N.
+  std::vector<double> loads(const Ground& ground) const;
+  /// What the impulses do to the beam, whose velocity becomes v, and to the nodes along with it.
+  /// @param weight  loads(), N/m and N
+  void book_beam(const Grid& grid, std::span<const double> weight, std::span<const double> v, double kick,
+                 LiningWork& work) const;
 
   Lining lining_;
   Beam beam_;
@@ -96,6 +108,7 @@ private:
   std::vector<NearParticle> near_;
   LiningContact contact_;
   std::vector<SegmentRows> rows_; ///< of the last step
+  std::vector<NodeFlow> flows_;   ///< likewise
   long pushed_out_ = 0;
 };
 

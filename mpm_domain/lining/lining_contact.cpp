@@ -39,44 +39,60 @@ std::vector<SegmentNode> nodes_of(std::span<const SegmentRows> rows) {
   return nodes;
 }
 
+/// The part of an entry of B m^-1 B^T that does not depend on directions.
+struct Tensor {
+  double xx = 0.0, yx = 0.0, xy = 0.0, yy = 0.0;
+
+  double between(const Vector& a, const Vector& b) const {
+    return a.x * (xx * b.x + xy * b.y) + a.y * (yx * b.x + yy * b.y);
+  }
+};
+
 /// The lower half of B m^-1 B^T, row after row. Only segments that share nodes answer to each other.
-std::vector<double> soil_answer(std::span<const SegmentRows> rows, std::span<const double> mass) {
+std::vector<double> soil_answer(std::span<const SegmentRows> rows, const SoilMotion& soil) {
   const std::vector<SegmentNode> nodes = nodes_of(rows);
   const std::size_t count = rows.size();
-  std::vector<double> both(count * count, 0.0); // sum of shares of both over m
+  std::vector<Tensor> both(count * count);
   for (auto first = nodes.begin(); first != nodes.end();) {
     const auto end =
         std::find_if(first, nodes.end(), [&](const SegmentNode& of) { return of.node != first->node; });
+    const Vector x = soil.of_grains(first->node, {1.0, 0.0});
+    const Vector y = soil.of_grains(first->node, {0.0, 1.0});
     for (auto a = first; a != end; ++a)
-      for (auto b = first; b <= a; ++b)
-        both[a->row * count + b->row] += a->share * b->share / mass[a->node];
+      for (auto b = first; b <= a; ++b) {
+        const double share = a->share * b->share;
+        Tensor& to = both[a->row * count + b->row];
+        to = {to.xx + share * x.x, to.yx + share * x.y, to.xy + share * y.x, to.yy + share * y.y};
+      }
     first = end;
   }
   const std::size_t size = 2 * count;
   std::vector<double> g(size * size, 0.0);
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b <= a; ++b)
-      if (const double of_both = both[a * count + b]; of_both != 0.0)
+      if (const Tensor& of_both = both[a * count + b]; of_both.xx != 0.0)
         for (const std::size_t r : {2 * a, 2 * a + 1})
           for (const std::size_t c : {2 * b, 2 * b + 1})
-            g[r * size + c] = of_both * dot(direction(rows, r), direction(rows, c));
+            g[r * size + c] = of_both.between(direction(rows, r), direction(rows, c));
   return g;
 }
 
-/// Adds H A^-1 H^T.
-void add_beam_answer(std::span<const SegmentRows> rows, const BeamStep& step, std::vector<double>& g) {
+/// The lower half of H A^-1 H^T, row after row.
+std::vector<double> beam_answer(std::span<const SegmentRows> rows, const BeamStep& step) {
   const std::size_t size = 2 * rows.size();
   std::vector<double> x(step.trial().size() * size, 0.0); // A^-1 H^T
   for (std::size_t c = 0; c < size; ++c)
     for (const auto& [dof, velocity] : rows[c / 2].beam)
       x[dof * size + c] = dot(velocity, direction(rows, c));
   step.answer(x, size);
+  std::vector<double> g(size * size, 0.0);
   for (std::size_t r = 0; r < size; ++r)
     for (const auto& [dof, velocity] : rows[r / 2].beam) {
       const double share = dot(velocity, direction(rows, r));
       for (std::size_t c = 0; c <= r; ++c)
         g[r * size + c] += share * x[dof * size + c];
     }
+  return g;
 }
 
 void mirror(std::vector<double>& g, std::size_t size) {
@@ -97,14 +113,23 @@ std::vector<double> closing_speeds(std::span<const SegmentRows> rows, const Soil
   return closing;
 }
 
-void add_change(const SegmentRows& rows, const Vector& impulse, std::span<const double> mass,
-                std::vector<NodeChange>& to) {
+/// An impulse on the soil's side of a segment, node after node.
+void add_impulse(const SegmentRows& rows, const Vector& impulse, std::vector<NodeChange>& to) {
   for (const auto& [node, share] : rows.soil) {
     auto found = std::ranges::lower_bound(to, node, {}, &NodeChange::node);
     if (found == to.end() || found->node != node)
-      found = to.insert(found, {node, {}});
-    const double per_mass = share / mass[node];
-    found->change = {found->change.x - per_mass * impulse.x, found->change.y - per_mass * impulse.y};
+      found = to.insert(found, {node, {}, {}});
+    found->change = {found->change.x - share * impulse.x, found->change.y - share * impulse.y};
+  }
+}
+
+/// From impulses to what they change.
+void find_changes(const SoilMotion& soil, std::vector<NodeChange>& nodes) {
+  for (auto& [node, change, water] : nodes) {
+    const NodeFlow* flow = soil.flow(node);
+    const Vector impulse = change;
+    change = soil.of_grains(node, impulse);
+    water = flow != nullptr ? flow->of_water(impulse) : change;
   }
 }
 
@@ -117,20 +142,31 @@ LiningContact::LiningContact(const LiningSurface& surface)
 }
 
 std::vector<double> LiningContact::meet(std::span<const SegmentRows> rows, const SoilMotion& soil,
-                                        const BeamStep& step, double kick, double dt, bool bonded) {
+                                        const BeamStep& step, double kick, double dt, bool bonded,
+                                        const WaterBefore& water) {
   std::vector<double> closing = closing_speeds(rows, soil, step.trial());
   std::vector<SegmentContact> contacts;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     contacts.push_back(segments_[rows[k].segment]);
-    contacts.back().adhesion *= lengths_[rows[k].segment] * kick;
+    const double time_on_area = lengths_[rows[k].segment] * kick;
+    contacts.back().adhesion *= time_on_area;
+    if (!water.nodes.empty())
+      contacts.back().least_water = water.least[k] * time_on_area;
     if (!bonded)
       closing[2 * k] -= gaps_[rows[k].segment] / dt;
   }
-  soil_answer_ = soil_answer(rows, soil.mass);
+  soil_answer_ = soil_answer(rows, soil);
+  std::vector<double> of_beam = beam_answer(rows, step);
   std::vector<double> answer = soil_answer_;
-  add_beam_answer(rows, step, answer);
+  for (std::size_t i = 0; i < answer.size(); ++i)
+    answer[i] += of_beam[i];
   mirror(answer, 2 * rows.size());
-  solve_segments(answer, closing, contacts, bonded);
+  SegmentWater borne;
+  if (!water.nodes.empty()) {
+    mirror(of_beam, 2 * rows.size());
+    borne = find_segment_water(rows, water.nodes, of_beam, step.trial());
+  }
+  solve_segments(answer, closing, contacts, bonded, borne);
 
   std::vector<bool> met(segments_.size(), false);
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -142,7 +178,7 @@ std::vector<double> LiningContact::meet(std::span<const SegmentRows> rows, const
   }
   for (std::size_t s = 0; s < segments_.size(); ++s)
     if (!met[s]) // no soil is there
-      segments_[s].normal_impulse = segments_[s].tangential_impulse = 0.0;
+      segments_[s].normal_impulse = segments_[s].tangential_impulse = segments_[s].water_impulse = 0.0;
 
   std::vector<double> v(step.trial().size(), 0.0);
   for (const SegmentRows& of : rows)
@@ -155,16 +191,18 @@ std::vector<double> LiningContact::meet(std::span<const SegmentRows> rows, const
 }
 
 Vector LiningContact::impulse(const SegmentRows& rows) const {
-  const auto& [friction, adhesion, tied, slip, normal, tangential] = segments_[rows.segment];
+  const SegmentContact& segment = segments_[rows.segment];
   const Vector t = rows.tangent();
-  return {normal * rows.normal.x + tangential * t.x, normal * rows.normal.y + tangential * t.y};
+  return {segment.normal_impulse * rows.normal.x + segment.tangential_impulse * t.x,
+          segment.normal_impulse * rows.normal.y + segment.tangential_impulse * t.y};
 }
 
 std::vector<NodeChange> LiningContact::changes(std::span<const SegmentRows> rows,
-                                               std::span<const double> mass) const {
+                                               const SoilMotion& soil) const {
   std::vector<NodeChange> changes;
   for (const SegmentRows& of : rows)
-    add_change(of, impulse(of), mass, changes);
+    add_impulse(of, impulse(of), changes);
+  find_changes(soil, changes);
   return changes;
 }
 
@@ -200,8 +238,9 @@ std::vector<NodeChange> LiningContact::stopped(std::span<const SegmentRows> rows
   for (std::size_t k = 0; k < stopped.size(); ++k) {
     const Vector along = direction(rows, stopped[k]);
     const double j = impulses(static_cast<Eigen::Index>(k));
-    add_change(rows[stopped[k] / 2], {j * along.x, j * along.y}, soil.mass, changes);
+    add_impulse(rows[stopped[k] / 2], {j * along.x, j * along.y}, changes);
   }
+  find_changes(soil, changes);
   return changes;
 }
 

@@ -7,10 +7,11 @@
 //
 // j being the impulses that segment_contact.hpp finds. Gaps are displacements: both touch at the start, and a
 // gap grows by dt n.(H v+ - B w+) where they part. So soil that comes back is met where it had left, and not
-// a cell before.
+// a cell before. Where water flows, m^-1 is the answer of grains and water together (soil_motion.hpp).
 
 #include "mpm_domain/lining/segment_contact.hpp"
 #include "mpm_domain/lining/segment_rows.hpp"
+#include "mpm_domain/lining/soil_motion.hpp"
 
 #include <cstddef>
 #include <span>
@@ -20,15 +21,17 @@ namespace tremolo::mpm_domain {
 
 class BeamStep;
 
-/// Masses (kg/m) and velocities of the nodes.
-struct SoilMotion {
-  std::span<const double> mass, vx, vy;
-};
-
 /// What impulses change of a node's velocity, m/s.
 struct NodeChange {
   std::size_t node;
-  Vector change;
+  Vector change; ///< of the grains
+  Vector water;  ///< of water that flows; elsewhere as of the grains
+};
+
+/// The pore water before a lining.
+struct WaterBefore {
+  std::vector<WetNode> nodes; ///< in their order
+  std::vector<double> least;  ///< pressure that it may fall to, by row, Pa
 };
 
 class LiningContact {
@@ -45,11 +48,12 @@ public:
   /// @param kick    time that forces act for, s
   /// @param dt      time that places move for, s
   /// @param bonded  both stick together, whatever that takes
+  /// @param water   before the lining; no nodes: the soil is dry
   /// @returns velocities of the beam
   std::vector<double> meet(std::span<const SegmentRows> rows, const SoilMotion& soil, const BeamStep& step,
-                           double kick, double dt, bool bonded);
+                           double kick, double dt, bool bonded, const WaterBefore& water = {});
   /// What the impulses change of the soil's nodes, in the order of these.
-  std::vector<NodeChange> changes(std::span<const SegmentRows> rows, std::span<const double> mass) const;
+  std::vector<NodeChange> changes(std::span<const SegmentRows> rows, const SoilMotion& soil) const;
   /// The impulse on the lining at a segment, kg/s.
   Vector impulse(const SegmentRows& rows) const;
   /// Lets gaps follow final velocities.

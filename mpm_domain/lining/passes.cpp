@@ -15,6 +15,7 @@ void meet_linings(Ground& ground, Linings& linings, Step& step) {
     step.kinetic.front() += work.kinetic;
     step.kinetic_off_grid += lining.beam().kinetic_energy();
     energy.gravity += work.gravity;
+    energy.drag += work.drag;
     energy.friction += work.friction;
     energy.impact += work.impact;
     energy.viscous += work.elements; // the part that stays in the elements goes to elastic work below

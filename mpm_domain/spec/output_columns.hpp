@@ -93,8 +93,9 @@ inline constexpr std::array<OutputColumn, 10> sliding_mass_columns{{time_column,
 /// middle. Their names have its number behind them.
 inline constexpr std::array<OutputColumn, 5> lining_element_columns{
     {{"x", "m"}, {"y", "m"}, {"n", "N/m"}, {"q", "N/m"}, {"m", "N"}}};
-/// Likewise for each segment of its outer face.
-inline constexpr std::array<OutputColumn, 2> lining_segment_columns{{{"pressure", "Pa"}, {"shear", "Pa"}}};
+/// Likewise for each segment of its outer face: what soil and water press with, the water's part, and shear.
+inline constexpr std::array<OutputColumn, 3> lining_segment_columns{
+    {{"pressure", "Pa"}, {"water_pressure", "Pa"}, {"shear", "Pa"}}};
 
 /// The columns of a cut through a structure: its middle, and the forces that pass through it. Those of a ring
 /// of cuts have its number behind them.

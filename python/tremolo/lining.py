@@ -13,7 +13,8 @@ class Lining(SectionForces):
         ring.axial_force                   # N/m, tension positive
         ring.shear_force                   # N/m
         ring.places                        # [times, nodes, 2], m, of its axis; element k begins at node k
-        ring.pressure, ring.shear          # [times, segments], Pa, of the soil on its outer face, in front of ring.segments
+        ring.pressure, ring.shear          # [times, segments], Pa, of soil and water on its outer face, in front of ring.segments
+        ring.water_pressure                # Pa, the water's part; ring.pressure - ring.water_pressure is effective
         ring.envelope("moment")            # the least and the greatest moment of each element over all times
         ring.moment[ring.nearest(4.2)]     # those next to 4.2 s
 
@@ -36,8 +37,13 @@ class Lining(SectionForces):
 
     @property
     def pressure(self):
-        """Pa, of the soil on the outer face."""
+        """Pa, of soil and water on the outer face."""
         return self._numbered("pressure")
+
+    @property
+    def water_pressure(self):
+        """Pa, the part of the pressure that pore water bears: at rest and in excess of that."""
+        return self._numbered("water_pressure")
 
     @property
     def shear(self):

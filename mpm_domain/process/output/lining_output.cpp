@@ -1,5 +1,6 @@
 #include "mpm_domain/process/output/lining_output.hpp"
 
+#include "mpm_domain/lining/water/water_load.hpp"
 #include "mpm_domain/process/output/add_history.hpp"
 
 #include <fmt/format.h>
@@ -17,19 +18,44 @@ std::vector<double> start_of(const Beam& beam) {
   return nodes;
 }
 
-/// Middles of the segments of the outer face, m.
+/// The middle of a segment of the outer face, m.
+Vector middle_of(const SurfaceSegment& segment, const Beam& beam) {
+  Vector sum{};
+  for (const SurfacePoint& point : segment.points) {
+    const Vector at = place(point, beam);
+    sum = {sum.x + at.x, sum.y + at.y};
+  }
+  const auto count = static_cast<double>(segment.points.size());
+  return {sum.x / count, sum.y / count};
+}
+
 std::vector<double> middles_of(const LiningBody& lining) {
   std::vector<double> middles;
   for (const SurfaceSegment& segment : lining.segments()) {
-    Vector sum{};
-    for (const SurfacePoint& point : segment.points) {
-      const Vector at = place(point, lining.beam());
-      sum = {sum.x + at.x, sum.y + at.y};
-    }
-    const auto count = static_cast<double>(segment.points.size());
-    middles.insert(middles.end(), {sum.x / count, sum.y / count});
+    const Vector at = middle_of(segment, lining.beam());
+    middles.insert(middles.end(), {at.x, at.y});
   }
   return middles;
+}
+
+/// Pressure, the water's part of it, and shear on the segments, Pa. Where no soil is before a segment, water
+/// at rest presses alone.
+std::vector<double> stresses_on(const LiningBody& lining, const Ground& ground, double kick) {
+  constexpr std::size_t numbers = lining_segment_columns.size();
+  std::vector<double> stresses;
+  for (const SurfaceSegment& segment : lining.segments()) {
+    const double at_rest = rest_pressure(ground, middle_of(segment, lining.beam()));
+    stresses.insert(stresses.end(), {at_rest, at_rest, 0.0});
+  }
+  for (const SegmentRows& of : lining.rows()) {
+    const SegmentContact& contact = lining.contact().segments()[of.segment];
+    const double per_area = 1.0 / (kick * lining.segments()[of.segment].length);
+    double* const on = &stresses[numbers * of.segment];
+    on[0] += per_area * contact.normal_impulse;
+    on[1] += per_area * contact.water_impulse;
+    on[2] = -per_area * contact.tangential_impulse; // the tangent runs clockwise, the columns do not
+  }
+  return stresses;
 }
 
 void number(std::span<const OutputColumn> of, std::size_t count, std::vector<std::string>& columns,
@@ -85,14 +111,7 @@ void LiningOutput::write_history(const Stepper& stepper) {
       row.insert(row.end(),
                  {at.x - back * v.x, at.y - back * v.y, forces.axial, forces.shear, forces.moment});
     }
-    std::vector<double> stresses(2 * lining.segments().size(), 0.0); // none where no soil is before a segment
-    for (const SegmentRows& of : lining.rows()) {
-      const SegmentContact& contact = lining.contact().segments()[of.segment];
-      const double per_area = 1.0 / (stepper.kick() * lining.segments()[of.segment].length);
-      stresses[2 * of.segment] = per_area * contact.normal_impulse;
-      // The tangent runs clockwise, the columns do not.
-      stresses[2 * of.segment + 1] = -per_area * contact.tangential_impulse;
-    }
+    const std::vector<double> stresses = stresses_on(lining, domain_, stepper.kick());
     row.insert(row.end(), stresses.begin(), stresses.end());
     series_[b].second->append(row);
   }

@@ -19,7 +19,8 @@ DIAGRAMS = (
 )
 
 
-CONTACT = (("pressure", "pressure of the soil", 1.0, "kPa"), ("shear", "shear of the soil", 1.0, "kPa"))
+CONTACT = (("pressure", "pressure", 1.0, "kPa"), ("shear", "shear of the soil", 1.0, "kPa"))
+WET_CONTACT = (*CONTACT, ("water_pressure", "pressure of the water", 1.0, "kPa"))
 
 
 def wall(outer, inner):
@@ -54,7 +55,7 @@ def _on_face(lining):
 
 def _diagram(ax, lining, force, sign, rows):
     """One of its diagrams, with its hinges."""
-    feet = _on_face(lining) if any(force == name for name, *_ in CONTACT) else _normals(lining.nodes)
+    feet = _on_face(lining) if any(force == name for name, *_ in WET_CONTACT) else _normals(lining.nodes)
     diagrams_on.draw(ax, lining.nodes, *feet, getattr(lining, force), lining.time, rows, sign)
     for node in lining.hinges:
         ax.plot(*lining.nodes[node], marker="o", markersize=4, markerfacecolor="white", markeredgecolor="#222222")
@@ -64,9 +65,10 @@ def diagrams(lining, name, times=None, contact=False):
     """The figure of a lining: its section forces, or what the soil does to its outer face, at some times (s), by default those of
     telling_times(), and as envelopes; below them the extremes around it over time."""
     rows = [lining.nearest(time) for time in times or telling_times(lining)]
-    figure = diagrams_on.sheet(CONTACT if contact else DIAGRAMS, lambda ax, force, sign: _diagram(ax, lining, force, sign, rows),
+    of_contact = WET_CONTACT if np.any(lining.water_pressure) else CONTACT
+    figure = diagrams_on.sheet(of_contact if contact else DIAGRAMS, lambda ax, force, sign: _diagram(ax, lining, force, sign, rows),
                                lambda force: getattr(lining, force), lining.time)
-    figure.suptitle(f"{name}: {'contact with the soil' if contact else 'section forces'}", fontsize=10)
+    figure.suptitle(f"{name}: {'contact with the ground' if contact else 'section forces'}", fontsize=10)
     return figure
 
 

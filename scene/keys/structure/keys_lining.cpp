@@ -47,7 +47,7 @@ std::vector<Table> lining_keys() {
   Table lining{
       .name = "lining",
       .kind = Kind::array,
-      .meaning = "A tunnel's lining or a box culvert: a closed beam that keeps a cavity in dry soil open and "
+      .meaning = "A tunnel's lining or a box culvert: a closed beam that keeps a cavity in the soil open and "
                  "deforms with it, see docs/linings.md. It replaces the soil of the regions that it covers, "
                  "and what is within is empty.",
       .keys = {{.name = "name", .type = Type::text, .meaning = "Its name in results.", .required = true},

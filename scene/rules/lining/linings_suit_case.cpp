@@ -23,9 +23,6 @@ void linings_suit_case(const Case& scene, Findings& findings) {
   if (scene.boundary.has_shaking_table() && findings.sound("boundary.base.model"))
     findings.add("boundary.base.model", "soil on a shaking table carries no linings: their inertia there was "
                                         "not studied");
-  if (scene.water)
-    findings.add("water", "a [[lining]] stands in dry ground: the pressure of pore water on linings is not "
-                          "computed; take a [[structure]] with a hole below the water table");
   for (const ConstructionStage& stage : scene.constructions)
     findings.add(stage.path,
                  fmt::format("the stage '{}' changes the ground, but a [[lining]] stands in ground "

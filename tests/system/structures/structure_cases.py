@@ -1,5 +1,5 @@
-"""Small cases with a structure: a block on flat ground, a frame that is cut, a light tunnel below a water table, and a lining with hinges
-in dry ground."""
+"""Small cases with a structure: a block on flat ground, a frame that is cut, a light tunnel below a water table, its lining,
+and a lining with hinges in dry ground."""
 
 import sys
 from pathlib import Path
@@ -9,8 +9,8 @@ sys.path[:0] = [str(Path(__file__).parents[1] / "resume")]
 from broken_run import checkpoints, differences, resumes_with_the_same_bits, whole_run, with_checkpoints
 from small_case import Workspace
 
-__all__ = ["BlockWorkspace", "FrameWorkspace", "LinedWorkspace", "TunnelWorkspace", "checkpoints", "differences", "resumes_with_the_same_bits", "whole_run",
-           "with_checkpoints"]
+__all__ = ["BlockWorkspace", "FrameWorkspace", "LinedWorkspace", "TunnelWorkspace", "WetLinedWorkspace", "checkpoints", "differences",
+           "resumes_with_the_same_bits", "whole_run", "with_checkpoints"]
 
 STAGES = """
 [[stage]]
@@ -189,6 +189,26 @@ class TunnelWorkspace(Workspace):
     """A tunnel of 5 m across that weighs less than the water that it displaces."""
 
     template, defaults = TUNNEL, {"drainage": "undrained", "duration": 2.0}
+
+
+class WetLinedWorkspace(Workspace):
+    """Its lining, a beam, in its place."""
+
+    template = TUNNEL.replace(TUNNEL[TUNNEL.index("[[structure]]"):TUNNEL.index("[mesh]")], """[[lining]]
+name = "ring"
+circle = {{ centre = [0.0, -6.0], radius = 2.5 }}
+thickness = 0.3
+young = 30e9
+poisson = 0.2
+density = 1800.0
+friction = 0.4
+
+""").replace(TUNNEL[TUNNEL.index("[[monitor]]"):TUNNEL.index("[output]")], """[[monitor]]
+name = "beside"
+point = [4.25, -6.25]
+
+""")
+    defaults = TunnelWorkspace.defaults
 
 
 LINED = """

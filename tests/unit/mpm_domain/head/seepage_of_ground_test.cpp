@@ -93,8 +93,8 @@ TEST(SeepageOfGround, FlowsFromRightToLeftAsFromLeftToRight) {
   EXPECT_NEAR(one.head.at(7.0, 3.0).head, other.head.at(17.0, 3.0).head, 1e-6);
 }
 
-// A wall that all but cuts the ground off holds the water up.
-TEST(SeepageOfGround, GoesAroundStructures) {
+// A wall that all but cuts the ground off holds the water up, and so does a lining.
+TEST(SeepageOfGround, GoesAroundStructuresAndLinings) {
   Spec spec = slope(0.5);
   spec.water->seepage = {5.0, 3.5};
   const double open = seep(spec).found.discharge;
@@ -104,6 +104,11 @@ TEST(SeepageOfGround, GoesAroundStructures) {
   const SeepageOfGround held = seep(spec);
   EXPECT_LT(held.found.discharge, 0.7 * open);
   EXPECT_GT(held.head.at(6.5, 3.0).head - held.head.at(8.5, 3.0).head, 0.5);
+  spec.structures.clear();
+  Lining lining;
+  lining.outline = wall.outline;
+  spec.linings = {lining};
+  EXPECT_DOUBLE_EQ(seep(spec).found.discharge, held.found.discharge);
 }
 
 TEST(SeepageOfGround, IsRefusedWhereItCannotBe) {

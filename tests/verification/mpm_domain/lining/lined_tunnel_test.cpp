@@ -178,9 +178,6 @@ TEST(LinedTunnel, GoesOnFromACheckpointWithTheSameBits) {
 }
 
 TEST(LinedTunnel, IsRefusedWhereItIsNotComputed) {
-  Spec wet = tunnel(0.5);
-  wet.water.emplace();
-  EXPECT_THROW(Domain{wet}, std::invalid_argument);
   Spec subcycled = tunnel(0.5);
   subcycled.scheme.subcycle = true;
   EXPECT_THROW(Domain{subcycled}, std::invalid_argument);

@@ -66,7 +66,7 @@ public:
     const BeamStep beam_step(beam_, dt, dt, none);
     const std::vector<SegmentRows> rows = find_rows(surface_, beam_, soil_.lattice, soil_.mass, soil_.full);
     const std::vector<double> v = contact_.meet(rows, {soil_.mass, wx, wy}, beam_step, dt, dt, bonded_);
-    for (const auto& [node, change] : contact_.changes(rows, soil_.mass)) {
+    for (const auto& [node, change, water] : contact_.changes(rows, {soil_.mass, wx, wy})) {
       wx[node] += change.x;
       wy[node] += change.y;
     }
