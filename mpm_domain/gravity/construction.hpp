@@ -23,8 +23,9 @@
 
 namespace tremolo::mpm_domain {
 
-/// Gives the particles of a model what those of the model before have come to, and new soil the stress of its
-/// own weight.
+/// Gives the particles and linings of a model what those of the model before have come to, and new soil the
+/// stress of its own weight.
+/// @throws std::invalid_argument where water would press on a lining with another pressure
 void carry_over(const Domain& before, Domain& after);
 
 /// The bodies that are not among the structures of the model after, as places in Contact::bodies().

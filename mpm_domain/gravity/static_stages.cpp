@@ -88,11 +88,6 @@ StaticStages::StaticStages(Domain& end, const GravitySettings& gravity, std::spa
   if (!(end.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", end.spec.gravity));
-  if (!end.spec.linings.empty() && std::ranges::any_of(stages_, [](const StaticStage& stage) {
-        return std::holds_alternative<ConstructionSettings>(stage);
-      }))
-    throw std::invalid_argument("linings stand from the gravity stage on: a stage of construction, which "
-                                "carries stresses to another model, does not carry theirs");
   begin_model(0);
 }
 

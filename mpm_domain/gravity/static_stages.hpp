@@ -31,7 +31,7 @@ public:
   /// @param end   the model after the last stage, to which all of them happen where none is a construction;
   ///              outlives this
   /// @param then  the stages after gravity
-  /// @throws std::invalid_argument for a model without weight, or for construction with linings
+  /// @throws std::invalid_argument for a model without weight
   StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
                StageProgress progress);
 

@@ -24,11 +24,13 @@ void linings_suit_case(const Case& scene, Findings& findings) {
     findings.add("boundary.base.model", "soil on a shaking table carries no linings: their inertia there was "
                                         "not studied");
   for (const ConstructionStage& stage : scene.constructions)
-    findings.add(stage.path,
-                 fmt::format("the stage '{}' changes the ground, but a [[lining]] stands in ground "
-                             "that stays as it is: the ground would have to come to rest anew "
-                             "around it, which is not computed",
-                             stage.name));
+    if (stage.water)
+      findings.add(
+          stage.path,
+          fmt::format("the stage '{}' gives the water other levels, but a [[lining]] stands in ground "
+                      "whose water stays where it is: that the pressure on it changes before the "
+                      "shaking is not computed",
+                      stage.name));
 }
 
 } // namespace tremolo::scene

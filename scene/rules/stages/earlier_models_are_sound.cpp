@@ -16,7 +16,7 @@ void earlier_models_are_sound(const Case& scene, Findings& findings) {
           structures_are_simple, structures_lie_in_mesh, structures_are_apart, structures_are_wide,
           structures_lie_on_finest_level, structures_touch_soil, elastic_structures_are_alone,
           elastic_structures_suit_water, loads_act_on_ground, phreatic_line_spans_model, seepage_can_be_found,
-          water_suits_sides})
+          water_suits_sides, linings_lie_in_ground, linings_are_apart})
       rule(then, findings);
   }
 }

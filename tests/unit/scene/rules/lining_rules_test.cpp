@@ -149,20 +149,32 @@ TEST(Rules, LiningsSuitCase) {
   wet = with("density = 1700.0\nyoung = 40e6\npoisson = 0.28\n[[region]]",
              "young = 40e6\npoisson = 0.28\n[[region]]", wet);
   EXPECT_THAT(errors_of(wet), IsEmpty());
-  const std::string stage = "kind = \"construction\"\nname = \"dig\"\nremove = [\"fill\"]\n[[stage]]\n";
-  std::string built = ring_with("kind = \"gravity\"\n[[stage]]\n", "kind = \"gravity\"\n[[stage]]\n" + stage);
-  built = with("[[region]]\n",
-               "[[region]]\nname = \"fill\"\nsoil = \"sand\"\npolygon = [[8.0, 0.0], [12.0, 0.0], "
-               "[10.0, 1.0]]\n[[region]]\n",
-               built);
-  built = with("box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, -10.0, 20.0, 2.0]", built);
-  EXPECT_THAT(errors_of(built),
-              Contains(HasSubstr("the stage 'dig' changes the ground, but a [[lining]] stands in "
-                                 "ground that stays as it is")));
+  const std::string shaken = "kind = \"gravity\"\n[[stage]]\n";
+  const std::string water = "kind = \"water\"\nname = \"pumps\"\nlevel = -2.0\n[[stage]]\n";
+  EXPECT_THAT(errors_of(with(shaken, shaken + water, wet)),
+              Contains(HasSubstr("the stage 'pumps' gives the water other levels, but a [[lining]] stands")));
   std::string table = with("base = { model = \"wave\", form = \"total\" }",
                            "sides = \"periodic\"\nbase = { model = \"shaking_table\" }", with_ring());
   table = with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n", "", table);
   EXPECT_THAT(errors_of(table), Contains(HasSubstr("soil on a shaking table carries no linings")));
+}
+
+TEST(Rules, LiningsLieInGroundBeforeAndAfterAConstruction) {
+  const std::string gravity = "kind = \"gravity\"\n[[stage]]\n";
+  const auto built = [&](const std::string& corners, const std::string& what) {
+    const std::string stage =
+        "kind = \"construction\"\nname = \"dig\"\n" + what + " = [\"fill\"]\n[[stage]]\n";
+    std::string text = ring_with(gravity, gravity + stage);
+    text =
+        with("[[region]]\n",
+             "[[region]]\nname = \"fill\"\nsoil = \"sand\"\npolygon = " + corners + "\n[[region]]\n", text);
+    return with("box = [0.0, -10.0, 20.0, 0.0]", "box = [0.0, -10.0, 20.0, 2.0]", text);
+  };
+  EXPECT_THAT(errors_of(built("[[8.0, 0.0], [12.0, 0.0], [10.0, 1.0]]", "remove")), IsEmpty());
+  EXPECT_THAT(errors_of(with("[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [0.0, 0.0]]",
+                             "[[0.0, -10.0], [20.0, -10.0], [20.0, -4.0], [0.0, -4.0]]",
+                             built("[[0.0, -4.0], [20.0, -4.0], [20.0, 0.0], [0.0, 0.0]]", "place"))),
+              Contains(HasSubstr("no [[region]] is at")));
 }
 
 TEST(Rules, MonitorsAndLinesLieInNoLining) {
