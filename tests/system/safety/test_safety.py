@@ -60,6 +60,13 @@ class Safety(unittest.TestCase):
             r"lies between x = (\S+) and (\S+) m, down to (\S+) m below", done.stdout).groups())
         self.assertTrue(10.0 < left < 22.0 and 40.0 < right < 50.0 and 3.0 < depth < 10.0, done.stdout)
 
+    def test_acceptance_a_tunnel_behind_the_slip_leaves_the_factor(self):
+        ring = ('[[lining]]\nname = "ring"\ncircle = { centre = [46.0, 2.0], radius = 2.2 }\nthickness = 0.3\nyoung = 30e9\n'
+                'poisson = 0.2\ndensity = 2500.0\nfriction = 0.3\n\n[mesh]')
+        case = self.changed(("[mesh]", ring))
+        self.assertEqual(safety(case, "--floor", "1.33").returncode, 0)  # 1.38 without the tunnel
+        self.assertEqual(safety(case, "--floor", "1.43").returncode, 1)
+
     def test_a_floor_is_one_trial_with_a_status(self):
         case = self.changed(("size = 1.0", "size = 2.5"))
         done = safety(case, "--floor", "1.1", "--out", self.path / "out")
