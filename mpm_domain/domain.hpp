@@ -7,12 +7,13 @@
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/lining/linings.hpp"
 #include "mpm_domain/passes/energy_ledger.hpp"
+#include "mpm_domain/prop/props.hpp"
 #include "mpm_domain/section/sections.hpp"
 
 namespace tremolo::mpm_domain {
 
-/// The state of the domain: the ground, its boundary and earthworks, the structures and linings in it, cuts
-/// through them, and where the energy goes. Where ranks share a domain, each knows all that concerns the
+/// The state of the domain: the ground, its boundary and earthworks, the structures and linings in it, props
+/// and cuts of these, and where the energy goes. Where ranks share a domain, each knows all that concerns the
 /// boundary.
 struct Domain : Ground {
   /// Fills the regions with particles at rest and without stress.
@@ -24,6 +25,7 @@ struct Domain : Ground {
   Earthworks earthworks;
   Contact contact;
   Linings linings;
+  Props props;
   Sections sections;
   EnergyLedger energy;
 };

@@ -70,6 +70,7 @@ void save(const Domain& domain, std::span<const Particles> sets, Writer& to) {
   domain.earthworks.save(to);
   domain.contact.save(to);
   domain.linings.save(to);
+  domain.props.save(to);
   to.write("energy", domain.energy.state());
 }
 
@@ -96,6 +97,7 @@ void restore(Domain& domain, const Reader& from) {
   domain.boundary.restore(from);
   domain.contact.restore(from);
   domain.linings.restore(from);
+  domain.props.restore(from);
   find_reach(domain);
   domain.energy.set_state(numbers_of_size(from, "energy", domain.energy.state().size()));
 }

@@ -29,7 +29,7 @@
 namespace tremolo::results {
 
 /// Version of the layout of `run.h5`: "major.minor"; a reader refuses another major.
-inline constexpr std::string_view schema_version = "1.8";
+inline constexpr std::string_view schema_version = "1.9";
 
 /// What is known of a run before its first step.
 struct RunDescription {

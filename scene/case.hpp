@@ -112,6 +112,7 @@ struct Region {
 struct Standing {
   std::vector<Region> regions;
   std::vector<Structure> structures;
+  std::vector<Prop> props;
   std::optional<GroundWater> water;
 };
 
@@ -270,10 +271,10 @@ struct LoadStage : StaticStage {
   bool on_structure() const { return !structure.empty(); }
 };
 
-/// [[stage]] kind = "construction", soil and structures are placed and removed; or "water", which has other
-/// levels.
+/// [[stage]] kind = "construction", soil, structures and props are placed and removed; or "water", which has
+/// other levels.
 struct ConstructionStage : StaticStage {
-  std::vector<std::string> place;   ///< names of regions and structures
+  std::vector<std::string> place;   ///< names of regions, structures and props
   std::vector<std::string> remove;  ///< likewise
   std::optional<GroundWater> water; ///< of kind "water": where it is from then on
   std::size_t loads_before = 0;     ///< how many of Case::loads come before it
@@ -422,6 +423,7 @@ struct Case {
   std::vector<Structure> structures;      ///< likewise
   std::vector<Lining> linings;
   std::vector<Section> sections;
+  std::vector<Prop> props;        ///< those that stand while the ground is shaken
   double halfspace_damping = 0.0; ///< ratio, of critical
   std::vector<Layer> profile;     ///< from the surface down; empty: the half-space reaches the surface
   std::optional<RandomProfile> random_profile; ///< whose factors `profile` and the soils have

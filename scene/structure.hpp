@@ -1,8 +1,9 @@
 #pragma once
 
-// Structures and linings of a case, and sections through structures.
+// Structures and linings of a case, sections through structures, and props between them.
 
 #include "mpm_domain/spec/lining.hpp"
+#include "mpm_domain/spec/prop.hpp"
 #include "mpm_domain/spec/structure.hpp"
 #include "scene/geometry.hpp"
 
@@ -49,6 +50,22 @@ struct Section {
   std::vector<Line> lines;              ///< one, or those of a ring, counter-clockwise
   std::optional<Point> centre;          ///< of the ring
   std::string path = {};                ///< of its table in messages, "section[0]"
+};
+
+/// [[prop]]: a spring between two structures, or between a structure and the ground.
+struct Prop {
+  struct End {
+    std::string structure; ///< its name; empty: the ground
+    Point place;
+  };
+  std::string name;
+  End from;
+  End to;
+  double stiffness = 0.0;          ///< N/m2
+  std::optional<double> prestress; ///< N/m, tension positive; none: it comes without a force
+  std::optional<double> yield;     ///< N/m; none: elastic
+  mpm_domain::Bears bears = mpm_domain::Bears::both;
+  std::string path = {}; ///< of its table in messages, "prop[0]"
 };
 
 /// [[lining]]: a closed beam that keeps a cavity in the soil open.

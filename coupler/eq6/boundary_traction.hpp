@@ -25,6 +25,16 @@ struct Vector {
   double y = 0.0;
 };
 
+inline Vector operator+(const Vector& a, const Vector& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+inline Vector operator*(double factor, const Vector& a) {
+  return {factor * a.x, factor * a.y};
+}
+
 /// Dynamic stress in the plane, Pa, tension positive.
 struct Stress {
   double xx = 0.0;

@@ -79,7 +79,7 @@ std::optional<WaterAround> water_around(const Ground& ground) {
 Contact::Contact(const Spec& spec)
     : structures_(spec.structures), bodies_(structures_.begin(), structures_.end()), elastic_(bodies_.size()),
       nodes_(bodies_.size()), shared_(bodies_.size()), motions_(bodies_.size()), responses_(bodies_.size()),
-      structure_loads_(spec), loads_(bodies_.size()) {}
+      structure_loads_(spec), loads_(bodies_.size()), of_props_(bodies_.size()) {}
 
 double Contact::kinetic_energy() const {
   double energy = 0.0;
@@ -99,7 +99,7 @@ double Contact::fastest_point() const {
 
 BodyForces Contact::forces(std::size_t body) const {
   BodyForces forces;
-  forces.weight = loads_[body];
+  forces.weight = load(body);
   if (dt_ == 0.0)
     return forces;
   for (const ContactNode& c : nodes(body)) {
@@ -111,6 +111,10 @@ BodyForces Contact::forces(std::size_t body) const {
     add(forces.friction, along(c.tangent(), c.tangential_impulse), c.arm);
   }
   return forces;
+}
+
+RigidLoad Contact::load(std::size_t body) const {
+  return {loads_[body].force + of_props_[body].force, loads_[body].moment + of_props_[body].moment};
 }
 
 Vector Contact::pull(std::size_t body) const {

@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -41,7 +42,7 @@ struct BodyForces {
   RigidLoad normal; ///< of effective stress
   RigidLoad friction;
   RigidLoad water;  ///< of excess pore pressure
-  RigidLoad weight; ///< weight, buoyancy and loads
+  RigidLoad weight; ///< weight, buoyancy, loads and props
 };
 
 class Contact {
@@ -59,6 +60,8 @@ public:
   const std::vector<ContactNode>& nodes(std::size_t body) const { return nodes_[body].nodes(); }
   BodyForces forces(std::size_t body) const;
   double kinetic_energy() const; ///< of the rigid bodies, J/m
+  /// All that acts on a rigid body beside contact.
+  RigidLoad load(std::size_t body) const;
   /// Speed of the fastest point of all surfaces, those of elastic bodies moving as a whole, m/s.
   double fastest_point() const;
   /// Root of the mean square of a body's speed in the gravity stage, m/s.
@@ -97,6 +100,8 @@ public:
   void weigh(const Ground& ground, std::size_t body, double share, const RigidLoad& before = {});
   /// Weight, buoyancy and loads of a rigid body.
   const RigidLoad& weight(std::size_t body) const { return loads_[body]; }
+  /// Takes what props do to rigid bodies in the present step, by body. Their work is booked by the props.
+  void take_props(std::vector<RigidLoad> loads) { of_props_ = std::move(loads); }
 
   /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m.
   /// @param bonded  soil and bodies stick together, whatever that takes
@@ -173,8 +178,9 @@ private:
   std::vector<RigidMotion> motions_; ///< of bodies, as found by solve()
   std::vector<Response> responses_;
   StructureLoads structure_loads_;
-  std::vector<RigidLoad> loads_; ///< weight, buoyancy and loads in the last step
-  double dt_ = 0.0;              ///< of the last step, s
+  std::vector<RigidLoad> loads_;    ///< weight, buoyancy and loads in the last step
+  std::vector<RigidLoad> of_props_; ///< likewise
+  double dt_ = 0.0;                 ///< of the last step, s
   long pushed_out_ = 0;
 };
 

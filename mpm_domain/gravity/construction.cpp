@@ -151,10 +151,16 @@ std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, co
 }
 
 std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after) {
+  std::vector<RigidLoad> of_removed_props(before.contact.bodies().size());
+  before.props.add_loads_of_removed(before, before.contact, after.props, of_removed_props);
+  const auto with_props = [&](std::size_t body) {
+    const RigidLoad& own = before.contact.weight(body);
+    return RigidLoad{own.force + of_removed_props[body].force, own.moment + of_removed_props[body].moment};
+  };
   std::vector<RigidLoad> weights;
   for (const RigidBody& body : after.contact.bodies()) {
     const auto former = structure_of(before, body.name());
-    weights.push_back(former ? before.contact.weight(*former) : RigidLoad{});
+    weights.push_back(former ? with_props(*former) : RigidLoad{});
   }
   return weights;
 }

@@ -36,7 +36,8 @@ std::vector<std::size_t> removed_structures(const Domain& before, const std::vec
 std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, const std::vector<Vector>& f0,
                                    const std::vector<Vector>& f1);
 
-/// Weight and buoyancy, in the model before, of the structures of the one after; none of one that is placed.
+/// Weight and buoyancy, in the model before, of the structures of the one after, with what props that go did
+/// to them; none of one that is placed.
 std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after);
 
 } // namespace tremolo::mpm_domain

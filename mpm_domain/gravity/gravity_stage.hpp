@@ -100,6 +100,7 @@ struct ConstructionSettings : StageSettings {
   std::vector<Region> regions; ///< of the model until then
   std::vector<Structure> structures;
   std::optional<GroundWater> water;
+  std::vector<Prop> props = {};
 };
 
 using StaticStage = std::variant<LoadSettings, ConstructionSettings>;

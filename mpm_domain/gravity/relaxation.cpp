@@ -148,6 +148,7 @@ void Relaxation::find_forces() {
     add_seepage(domain_, domain_.soil_rows);
   domain_.loads.add(domain_.grid);
   add_loads(domain_.contact, domain_);
+  domain_.props.act(domain_, domain_.contact);
 }
 
 std::vector<Vector> Relaxation::forces() {
@@ -247,6 +248,7 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
       return relaxed;
     }
     add_way();
+    domain_.props.follow_velocity(domain_, domain_.contact, dt_);
     strain(undrained);
   }
 }

@@ -43,11 +43,13 @@ std::optional<std::vector<std::size_t>> release(Domain& domain, Relaxation& rela
   released.time = static_cast<double>(steps) * relaxation.step();
   const std::vector<Particles> bonded = domain.sets;
   const Linings bonded_linings = domain.linings;
+  const Props bonded_props = domain.props;
   std::optional<std::vector<std::size_t>> moving;
   if (!(relaxation.run(released, progress).residual < course.residual)) {
     moving = moving_bodies(domain);
     domain.sets = bonded;
     domain.linings = bonded_linings;
+    domain.props = bonded_props;
     relaxation.find_forces();
   }
   domain.contact.end_rest();
@@ -133,6 +135,8 @@ void StaticStages::gravity() {
   set_rest_stress(model_->sets_of_soil(), model_->spec);
   begin_relaxation();
   act_with_loads(0);
+  model_->props.place_jacks(nullptr);
+  model_->props.grow(1.0);
   const Course course{.bonded = true,
                       .time = gravity_.max_time,
                       .residual = gravity_.residual,
@@ -165,6 +169,9 @@ void StaticStages::go(const ConstructionSettings& construction) {
   const Domain& before = *model_;
   begin_model(over_);
   carry_over(before, *model_);
+  model_->props.carry_over(before.props);
+  model_->props.place_jacks(&before.props);
+  model_->props.grow(0.0);
   begin_relaxation();
   relaxation_->count_way();
   drain(*model_, construction.undrained);
@@ -176,6 +183,7 @@ void StaticStages::go(const ConstructionSettings& construction) {
   course.grow = [&](double share) {
     for (std::size_t b = 0; b < weights.size(); ++b)
       model_->contact.weigh(*model_, b, share, weights[b]);
+    model_->props.grow(share);
   };
   const Relaxed rest = run(
       course, "the ground did not come to rest in a construction stage",
@@ -190,6 +198,7 @@ void StaticStages::end_stage() {
   for (const std::size_t structure : structures_that_go())
     relaxation_->add_contact_forces(structure, forces_);
   ways_ = ways();
+  model_->props.lock();
   relaxation_->finish();
   relaxation_.reset();
 }
@@ -206,6 +215,7 @@ std::optional<Spec> StaticStages::spec_from(std::size_t first) const {
       spec.regions = next->regions;
       spec.structures = next->structures;
       spec.sections.clear(); // of the structures of the shaking
+      spec.props = next->props;
       spec.water = next->water;
       spec.loads.resize(on_surface);
       spec.structure_loads.resize(on_structures);

@@ -16,6 +16,7 @@
 // Contact at each node by itself would tie soil to the lining at up to a cell from it, and so make the lining
 // larger than it is; the means over a cell do not.
 
+#include "mpm_domain/grid/node_share.hpp"
 #include "mpm_domain/lining/surface.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 
@@ -24,12 +25,6 @@
 #include <vector>
 
 namespace tremolo::mpm_domain {
-
-/// What a node gives to a velocity.
-struct NodeShare {
-  std::size_t node;
-  double share;
-};
 
 struct SegmentRows {
   std::size_t segment = 0;     ///< its number on the surface

@@ -49,6 +49,7 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
   spec.regions.clear();
   spec.structures.clear();
   spec.sections.clear();
+  spec.props.clear();
   spec.linings.clear();
   spec.loads.clear();
   spec.structure_loads.clear();

@@ -56,7 +56,19 @@ std::string told_of_ways(const std::vector<StructureWay>& ways) {
   return text;
 }
 
+/// "'strut' -120 kN/m", with commas.
+std::string forces_of_props(const Domain& domain) {
+  std::string text;
+  for (const Props::Placed& prop : domain.props.all())
+    text +=
+        fmt::format("{}'{}' {:.4g} kN/m", text.empty() ? "" : ", ", prop.name, 1e-3 * prop.spring.force());
+  return text;
+}
+
 void tell(const Domain& domain, const Reactions& reactions) {
+  if (domain.props.any())
+    fmt::print("note: when the shaking starts, props have the forces {} (tension positive)\n",
+               forces_of_props(domain));
   if (!reactions.ways.empty())
     fmt::print("note: {} in the stages before the shaking, in which frames show where it has gone; its "
                "motion in run.h5 counts from where it was placed\n",

@@ -87,6 +87,17 @@ Section section_of(const scene::Case& scene, const scene::Section& section) {
   return copy;
 }
 
+std::vector<Prop> props_of(const std::vector<scene::Prop>& props) {
+  const auto end = [](const scene::Prop::End& of) {
+    return PropFastening{of.structure, {of.place.x, of.place.y}};
+  };
+  std::vector<Prop> copies;
+  for (const scene::Prop& prop : props)
+    copies.push_back(
+        {prop.name, end(prop.from), end(prop.to), prop.stiffness, prop.prestress, prop.yield, prop.bears});
+  return copies;
+}
+
 std::vector<Region> regions_of(const std::vector<scene::Region>& regions) {
   std::vector<Region> copies;
   for (const scene::Region& region : regions)
@@ -117,9 +128,10 @@ std::vector<StaticStage> static_settings(const scene::Case& scene) {
                                        (*load)->on_structure()});
     else {
       const auto& construction = *std::get<const scene::ConstructionStage*>(stage);
-      stages.emplace_back(ConstructionSettings{
-          settings(construction), regions_of(construction.before.regions),
-          structures_of(construction.before.structures), water_of(construction.before.water)});
+      stages.emplace_back(
+          ConstructionSettings{settings(construction), regions_of(construction.before.regions),
+                               structures_of(construction.before.structures),
+                               water_of(construction.before.water), props_of(construction.before.props)});
     }
   }
   return stages;
@@ -143,6 +155,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   spec.water = water_of(scene.water);
   spec.regions = regions_of(scene.regions);
   spec.structures = structures_of(scene.structures);
+  spec.props = props_of(scene.props);
   for (const scene::Section& section : scene.sections)
     spec.sections.push_back(section_of(scene, section));
   for (const scene::Lining& lining : scene.linings)

@@ -102,6 +102,15 @@ inline constexpr std::array<OutputColumn, 3> lining_segment_columns{
 inline constexpr std::array<OutputColumn, 6> section_columns{
     {{"x", "m"}, {"y", "m"}, {"tilt", "rad"}, {"n", "N/m"}, {"q", "N/m"}, {"m", "N"}}};
 
+/// The columns of a prop: its force, tension positive, the distance of its ends, and their places.
+inline constexpr std::array<OutputColumn, 7> prop_columns{{time_column,
+                                                           {"n", "N/m"},
+                                                           {"length", "m"},
+                                                           {"from_x", "m"},
+                                                           {"from_y", "m"},
+                                                           {"to_x", "m"},
+                                                           {"to_y", "m"}}};
+
 /// Numbers of a face and a row of /boundary: velocity of the free field and of the domain, traction.
 inline constexpr std::size_t numbers_of_face = 6;
 /// The columns of numbers of a face in /drift, behind the name of its side.

@@ -9,6 +9,7 @@
 #include "mpm_domain/spec/growth.hpp"
 #include "mpm_domain/spec/lining.hpp"
 #include "mpm_domain/spec/numerics.hpp"
+#include "mpm_domain/spec/prop.hpp"
 #include "mpm_domain/spec/section.hpp"
 #include "mpm_domain/spec/structure.hpp"
 
@@ -112,6 +113,7 @@ struct Spec {
   std::vector<Structure> structures = {};
   std::vector<Lining> linings = {};
   std::vector<Section> sections = {};
+  std::vector<Prop> props = {};
   std::vector<SurfaceLoad> loads = {};
   std::vector<StructureLoad> structure_loads = {};
   std::vector<Earthwork> earthworks = {}; ///< in the order in which they come

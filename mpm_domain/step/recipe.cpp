@@ -8,6 +8,7 @@
 #include "mpm_domain/earthworks/earthworks.hpp"
 #include "mpm_domain/lining/passes.hpp"
 #include "mpm_domain/mass_damping/passes.hpp"
+#include "mpm_domain/prop/passes.hpp"
 #include "mpm_domain/step/node_passes.hpp"
 #include "mpm_domain/step/step_passes.hpp"
 #include "mpm_domain/transfer/passes/passes.hpp"
@@ -33,6 +34,7 @@ std::vector<Pass> recipe(Domain& domain, const FreeFieldSource& free_field) {
   add(water_passes(domain));
   add(contact_passes(domain, domain.contact));
   add(lining_passes(domain, domain.linings));
+  add(prop_passes(domain, domain.contact, domain.props));
   add(sharp_passes(domain));
   add(step_passes(domain));
   add(mass_damping_passes(domain));

@@ -147,7 +147,7 @@ StepBounds step_bounds(Domain& domain) {
 }
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return uniform_limit(domain, step_bounds(domain), max_speed).step;
+  return std::min(uniform_limit(domain, step_bounds(domain), max_speed).step, domain.props.critical_step());
 }
 
 double fastest_point(const Domain& domain) {
@@ -160,7 +160,8 @@ double fastest_point(const Domain& domain) {
 }
 
 double critical_skeleton_step(Domain& domain) {
-  return uniform_limit(domain, bounds_of(domain, &FastestWaves::in_skeleton), 0.0).step;
+  return std::min(uniform_limit(domain, bounds_of(domain, &FastestWaves::in_skeleton), 0.0).step,
+                  domain.props.critical_step());
 }
 
 double next_time_step(const Domain& domain, const StepBounds& bounds, double max_speed, double last) {
@@ -170,7 +171,8 @@ double next_time_step(const Domain& domain, const StepBounds& bounds, double max
   // No particle of a mesh with clocks comes near cells of another level before the next sort.
   const double way = scheme.subcycle && max_speed > 0.0 ? 0.5 * domain.sort_distance() / max_speed
                                                         : std::numeric_limits<double>::infinity();
-  const double critical = std::min(limit.step, way);
+  const double of_props = domain.props.critical_step();
+  const double critical = std::min({limit.step, way, of_props});
   const double wanted = scheme.dt.value_or(scheme.fraction * critical);
   if (scheme.order == StepOrder::usl && wanted > usl_share * critical)
     throw std::invalid_argument(
@@ -180,6 +182,10 @@ double next_time_step(const Domain& domain, const StepBounds& bounds, double max
   if (scheme.dt) {
     if (*scheme.dt > limit.step)
       refuse(domain, *scheme.dt, limit, max_speed);
+    if (*scheme.dt > of_props)
+      throw std::invalid_argument(fmt::format(
+          "the time step {:.6g} s is over {:.6g} s, which the stiffest prop with what it holds allows",
+          *scheme.dt, of_props));
     if (*scheme.dt > way)
       throw std::invalid_argument(fmt::format("the time step {:.6g} s of the coarsest level is over {:.6g} "
                                               "s, in which the fastest particle, {:.3g} "

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tremolo import (bodies, column, comparison, cost, deconvolution, drift, failure, figures, histories, motion, outputs,
                      pore_pressure, style, swap, timeline, verification)
-from tremolo.pictures import fronts, linings, maps, mechanism, preview, sections, stages
+from tremolo.pictures import fronts, linings, maps, mechanism, preview, props, sections, stages
 from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
 from tremolo.report import kinds, page, watch
@@ -73,6 +73,8 @@ def plot(arguments):
             if drawn := linings.picture(run, folder, name, arguments.time, contact):
                 yield drawn
     yield from sections.pictures(run, folder, arguments.time)
+    if propped := props.picture(run, folder):
+        yield propped
     if drifted := drift.picture(run, folder):
         yield drifted
     for name in run.monitors:

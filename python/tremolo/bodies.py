@@ -5,7 +5,7 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from tremolo import style
-from tremolo.pictures import linings
+from tremolo.pictures import linings, props
 
 FILL = linings.FILL
 
@@ -30,10 +30,11 @@ def shape(outline, hole):
 
 
 def draw(ax, run, index):
-    """Fills all structures and linings where they are in a frame, and leaves their holes open."""
+    """Fills all structures and linings where they are in a frame, leaves their holes open, and draws props."""
     for name in run.bodies:
         ax.add_patch(PathPatch(shape(*run.body(name).corners(run.times[index])), **FILL))
     linings.draw(ax, run, run.times[index])
+    props.draw(ax, run, run.times[index])
 
 
 def _millimetres(values):

@@ -11,6 +11,7 @@
     run.body("tunnel")["water_y"]         # N/m at run.body("tunnel").time
     run.lining("ring").moment             # [times, elements], N, at run.lining("ring").time
     run.section("foot")["m"]              # N, at run.section("foot").time
+    run.prop("strut").force               # N/m, tension positive
     run.table("profile")["peak_gxy"]      # of a free field alone, at run.table("profile")["y"]
 
 All values are SI units; tension is positive; x points right, y up. `Series` says what one can do with a history.
@@ -26,6 +27,7 @@ import numpy as np
 
 from tremolo import links
 from tremolo.lining import Lining
+from tremolo.prop import Prop
 from tremolo.section import Section
 from tremolo.series import Series, text
 
@@ -148,7 +150,7 @@ class Run:
             last["position"][last["equivalent_plastic_strain"] > 0.1]      # m, where soil has failed
             run.nearest_frame(9.3)                                         # the number of a frame by its time (s)
 
-    Names: `monitors`, `lines`, `sliding_masses`, `bodies`, `linings`, `sections`. What a run does not have is None, an empty list, or a KeyError that
+    Names: `monitors`, `lines`, `sliding_masses`, `bodies`, `linings`, `props`, `sections`. What a run does not have is None, an empty list, or a KeyError that
     names what there is.
     """
 
@@ -190,7 +192,7 @@ class Run:
 
     def __repr__(self):
         frames = f"{len(self.times)} frames, {self.times[0]:g} to {self.times[-1]:g} s" if len(self.times) else "no frames"
-        named = ((kind, getattr(self, kind)) for kind in ("monitors", "lines", "sliding_masses", "bodies", "linings", "sections"))
+        named = ((kind, getattr(self, kind)) for kind in ("monitors", "lines", "sliding_masses", "bodies", "linings", "props", "sections"))
         held = "".join(f"; {kind.replace('_', ' ')}: {', '.join(names)}" for kind, names in named if names)
         return f"<Run {self.path}: '{self.title}', {self.status}; {frames}{held}>"
 
@@ -337,6 +339,19 @@ class Run:
             raise KeyError(f"{self.path}: no lining '{name}'; it has {', '.join(self.linings) or 'none'}")
         with self._reading(f"the lining {name}"):
             return Lining(self._file["linings"][name])
+
+    @property
+    def props(self):
+        """Names of the props that stand while the ground is shaken, in the order of the case."""
+        with self._reading("the props"):
+            return list(self.attribute("prop_names", []))
+
+    def prop(self, name):
+        """The force in a prop, and the places of its ends."""
+        if name not in self.props:
+            raise KeyError(f"{self.path}: no prop '{name}'; it has {', '.join(self.props) or 'none'}")
+        with self._reading(f"the prop {name}"):
+            return Prop(self._file["props"][name])
 
     @property
     def sections(self):

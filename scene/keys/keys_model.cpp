@@ -204,7 +204,8 @@ std::vector<Table> model_keys() {
   const auto structures = structure_keys();
   const auto linings = lining_keys();
   const auto sections = section_keys();
-  for (const auto& group : {structures, sections, linings})
+  const auto props = prop_keys();
+  for (const auto& group : {structures, sections, props, linings})
     tables.insert(std::ranges::find(tables, "mesh", &Table::name), group.begin(), group.end());
   return tables;
 }

@@ -198,6 +198,8 @@ std::string explain(const Case& scene, const Plan& plan) {
     text += "\nStructures\n" + structures_text(scene, plan.structures);
   if (!scene.sections.empty())
     text += "\nSections\n" + sections_text(scene);
+  if (!plan.props.empty())
+    text += "\nProps\n" + props_text(scene, plan.props);
   if (!plan.linings.empty())
     text += "\nLinings\n" + linings_text(scene, plan.linings, plan.dt);
   text += "\nRemarks\n";
@@ -287,6 +289,9 @@ std::string to_json(const Case& scene, const Plan& plan) {
     for (const SectionCut& cut : cuts_of(scene, section))
       json["sections"].back()["thickness_m"].push_back(cut.thickness());
   }
+  for (const PlannedProp& prop : plan.props)
+    json["props"].push_back(
+        {{"name", prop.name}, {"length_m", prop.length}, {"critical_dt_s", prop.critical_step}});
   for (const PlannedLining& lining : plan.linings) {
     json["linings"].push_back({{"name", lining.name},
                                {"elements", lining.elements},

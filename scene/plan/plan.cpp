@@ -261,6 +261,7 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
        seeps ? head_bytes : 0.0, seeps ? seepage_cost_ns : 0.0},
       {"contact", !structures.empty(), contact_text(structures)},
       {"linings", !linings.empty(), linings_effect_text(linings)},
+      {"props", !scene.props.empty(), props_effect_text(scene)},
       {"sub-cycling", scene.time.subcycle, subcycling_text(scene)},
       {"run-ahead exchange", scene.coupling.mode == ExchangeMode::window,
        fmt::format("[coupling] mode = \"{}\"", name(scene.coupling.mode))},
@@ -304,6 +305,7 @@ Plan plan(const Case& scene) {
   result.sources = plan_sources(scene);
   result.structures = plan_structures(scene);
   result.linings = plan_linings(scene);
+  result.props = plan_props(scene);
   result.effects = plan_effects(scene, result.sources, result.structures, result.linings);
   result.base = describe_base(scene, result.sources);
   result.levels = levels(scene);

@@ -6,6 +6,7 @@
 #include "scene/case.hpp"
 #include "scene/plan/levels.hpp"
 #include "scene/plan/lining/linings.hpp"
+#include "scene/plan/prop/props.hpp"
 #include "scene/plan/step/step_limit.hpp"
 #include "scene/plan/structures.hpp"
 
@@ -48,6 +49,7 @@ struct Plan {
 
   std::vector<PlannedStructure> structures;
   std::vector<PlannedLining> linings;
+  std::vector<PlannedProp> props;
   std::vector<Level> levels; ///< of the mesh, coarse to fine
   std::size_t particles = 0;
   std::size_t cells = 0;       ///< of all levels, see Level

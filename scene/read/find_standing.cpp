@@ -38,6 +38,8 @@ States states_at_start(const Case& scene) {
       states.try_emplace(region.name);
   for (const Structure& structure : scene.structures)
     states.try_emplace(structure.name);
+  for (const Prop& prop : scene.props)
+    states.try_emplace(prop.name);
   std::set<std::string_view> seen;
   const auto follow = [&](const auto& stage) {
     for (const std::string& name : stage.remove)
@@ -59,17 +61,23 @@ Standing standing(const Case& scene, const States& states) {
   };
   std::ranges::copy_if(scene.regions, std::back_inserter(found.regions), stands, &Region::name);
   std::ranges::copy_if(scene.structures, std::back_inserter(found.structures), stands, &Structure::name);
+  std::ranges::copy_if(scene.props, std::back_inserter(found.props), stands, &Prop::name);
   return found;
 }
 
 void refuse_shared_names(const Case& scene, Findings& findings) {
-  for (const Structure& structure : scene.structures)
-    for (const Region& region : scene.regions)
-      if (!region.name.empty() && region.name == structure.name)
-        findings.add(region.path + ".name",
-                     fmt::format("the structure in line {} has the name '{}' too: stages could not tell one "
-                                 "from the other",
-                                 findings.place(structure.path + ".name").line, region.name));
+  const auto compare = [&](const auto& ones, const auto& others, const char* what) {
+    for (const auto& other : others)
+      for (const auto& one : ones)
+        if (!one.name.empty() && one.name == other.name)
+          findings.add(one.path + ".name",
+                       fmt::format("the {} in line {} has the name '{}' too: stages could not tell one "
+                                   "from the other",
+                                   what, findings.place(other.path + ".name").line, one.name));
+  };
+  compare(scene.regions, scene.structures, "structure");
+  compare(scene.regions, scene.props, "prop");
+  compare(scene.structures, scene.props, "prop");
 }
 
 /// Changes what a stage places or removes.
@@ -82,7 +90,7 @@ void change(States& states, const Stage& stage, bool places, Findings& findings)
       std::vector<std::string_view> known;
       for (const auto& [other, state] : states)
         known.push_back(other);
-      findings.add(path, fmt::format("no [[region]] or [[structure]] has the name '{}'{}", name,
+      findings.add(path, fmt::format("no [[region]], [[structure]] or [[prop]] has the name '{}'{}", name,
                                      known.empty() ? ": none has one" : ", " + suggestion(name, known)));
       continue;
     }
@@ -98,14 +106,18 @@ void change(States& states, const Stage& stage, bool places, Findings& findings)
   }
 }
 
-/// The regions of these names; structures are refused.
+/// The regions of these names; structures and props are refused.
 std::vector<Region> regions_of(const Case& scene, const std::vector<std::string>& names,
                                const std::string& path, Findings& findings) {
   std::vector<Region> regions;
   for (const std::string& name : names) {
-    if (std::ranges::find(scene.structures, name, &Structure::name) != scene.structures.end())
-      findings.add(
-          path, fmt::format("'{}' is a structure: after a shaking soil alone is placed and removed", name));
+    const auto refuse = [&](const auto& all, const char* what) {
+      if (std::ranges::find(all, name, [](const auto& one) { return one.name; }) != all.end())
+        findings.add(
+            path, fmt::format("'{}' is a {}: after a shaking soil alone is placed and removed", name, what));
+    };
+    refuse(scene.structures, "structure");
+    refuse(scene.props, "prop");
     std::ranges::copy_if(scene.regions, std::back_inserter(regions),
                          [&](const Region& region) { return region.name == name; });
   }
@@ -140,6 +152,7 @@ void find_standing(Case& scene, Findings& findings) {
     Standing before = standing(scene, states);
     stage.before.regions = std::move(before.regions);
     stage.before.structures = std::move(before.structures);
+    stage.before.props = std::move(before.props);
     change(states, stage, false, findings);
     change(states, stage, true, findings);
   }
@@ -158,6 +171,7 @@ void find_standing(Case& scene, Findings& findings) {
     renumber(section.structure, section.path, "a section cannot cut it", scene, end, findings);
   scene.regions = std::move(end.regions);
   scene.structures = std::move(end.structures);
+  scene.props = std::move(end.props);
 }
 
 } // namespace tremolo::scene

@@ -35,7 +35,8 @@ std::optional<MotionSource> read_motion_source(const TableReader& table, const C
                                                Findings& findings);
 /// Stages, with the motions of all shakings but the first; before read_free_field.
 void read_stages(Document& document, Findings& findings, Case& scene);
-/// What stands before each construction and after all; after all else that knows regions and structures.
+/// What stands before each construction and after all; after all else that knows regions,
+/// structures and props.
 void find_standing(Case& scene, Findings& findings);
 /// Structures; after read_soils.
 void read_structures(Document& document, Findings& findings, Case& scene);
@@ -53,7 +54,9 @@ std::optional<std::size_t> structure_index(const TableReader& table, const std::
                                            Findings& findings);
 /// Sections; after read_structures.
 void read_sections(Document& document, Findings& findings, Case& scene);
-/// Regions, structures, linings, sections and time stepping; after read_free_field.
+/// Props; after read_structures.
+void read_props(Document& document, Findings& findings, Case& scene);
+/// Regions, structures, linings, sections, props and time stepping; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
 /// Which processes run on other machines.
 void read_hosts(Document& document, Case& scene);

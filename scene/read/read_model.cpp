@@ -47,6 +47,7 @@ void read_model(Document& document, Findings& findings, Case& scene) {
   read_structures(document, findings, scene);
   read_linings(document, findings, scene);
   read_sections(document, findings, scene);
+  read_props(document, findings, scene);
   read_time(document, findings, scene);
 }
 

@@ -21,19 +21,19 @@ bool is_plain(const std::string& name) {
 
 } // namespace
 
-void check_result_names(std::string_view table, const std::vector<std::string>& names, Findings& findings) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string& name = names[i];
-    const std::string path = fmt::format("{}[{}].name", table, i);
+void check_result_names(std::string_view table, const std::vector<NamedTable>& named, Findings& findings) {
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const std::string& name = named[i].name;
+    const std::string path = named[i].path + ".name";
     if (!name.empty() && !is_plain(name))
       findings.add(path,
                    fmt::format("'name' = \"{}\" names a table in the results and a picture: letters, digits, "
                                "blanks and _ - + . are allowed, beginning with a letter or digit",
                                name));
-    const auto first = std::ranges::find(names, name) - names.begin();
-    if (!name.empty() && first < static_cast<std::ptrdiff_t>(i))
+    const auto first = std::ranges::find(named, name, &NamedTable::name);
+    if (!name.empty() && first - named.begin() < static_cast<std::ptrdiff_t>(i))
       findings.add(path, fmt::format("'name' = \"{}\" is taken by the {} in line {}", name, table,
-                                     findings.place(fmt::format("{}[{}].name", table, first)).line));
+                                     findings.place(first->path + ".name").line));
   }
 }
 

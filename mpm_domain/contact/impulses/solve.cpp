@@ -25,9 +25,10 @@ std::vector<RigidMotion> Contact::trial_motions(double keep, double dt) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const RigidBody& body = bodies_[b];
     const RigidMotion& u = body.motion();
-    trial.push_back({{keep * u.velocity.x + dt * loads_[b].force.x / body.mass(),
-                      keep * u.velocity.y + dt * loads_[b].force.y / body.mass()},
-                     keep * u.spin + dt * loads_[b].moment / body.inertia()});
+    const RigidLoad on_body = load(b);
+    trial.push_back({{keep * u.velocity.x + dt * on_body.force.x / body.mass(),
+                      keep * u.velocity.y + dt * on_body.force.y / body.mass()},
+                     keep * u.spin + dt * on_body.moment / body.inertia()});
   }
   return trial;
 }

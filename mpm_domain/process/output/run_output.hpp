@@ -4,6 +4,7 @@
 #include "mpm_domain/process/output/body_output.hpp"
 #include "mpm_domain/process/output/followed_point.hpp"
 #include "mpm_domain/process/output/lining_output.hpp"
+#include "mpm_domain/process/output/prop_output.hpp"
 #include "mpm_domain/process/output/section_output.hpp"
 #include "mpm_domain/process/output/sliding_mass_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
@@ -20,7 +21,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Writes a run's file as the case asks: monitors, lines, sliding masses, linings, sections, energy, particle
+/// Writes a run's file as the case asks: monitors, lines, sliding masses, linings, props, sections, energy, particle
 /// frames, boundary exchange, timings.
 ///
 /// Everything written belongs to the time of the particle velocities, Stepper::time_of_soil(): displacements
@@ -41,8 +42,12 @@ public:
   /// Called after every step; writes what is due.
   void after_step(const Stepper& stepper);
 
-  /// Writes a domain that has not been shaken, as a frame at time 0. Contact has no forces yet.
-  void write_before_shaking(const Stepper& stepper) { write_frame(stepper, 0.0, {}); }
+  /// Writes a domain that has not been shaken, as a frame at time 0, with the forces of props. Contact has no
+  /// forces yet.
+  void write_before_shaking(const Stepper& stepper) {
+    write_frame(stepper, 0.0, {});
+    props_.write_history(stepper);
+  }
 
   /// Writes the last state and the timings, and closes the file as complete.
   /// @return what is lacking all the same, in a sentence
@@ -88,6 +93,7 @@ private:
   results::RunWriter writer_;
   BodyOutput bodies_;
   LiningOutput linings_;
+  PropOutput props_;
   SectionOutput sections_;
   SlidingMassOutput sliding_masses_;
   LostHold lost_hold_;

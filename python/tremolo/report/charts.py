@@ -187,6 +187,18 @@ def lining(runs, titles, name):
     return Chart(f"lining-{name}", f"{name}: extremes around it", words, figure)
 
 
+def props(runs, titles):
+    """The force in each prop over time; None where there is none."""
+    figure = _stacked(["N (kN/m), tension positive"], 360)
+    names = {}
+    for run, title, dash in _of_all(runs, titles):
+        for name in run.props:
+            own = run.prop(name)
+            colour = style.COLOURS[names.setdefault(name, len(names)) % len(style.COLOURS)]
+            _add(figure, own.time, own.force / 1e3, _label(name, title, runs), colour, dash, 1)
+    return Chart("props", "Forces in props", "The force in each prop over time", figure) if names else None
+
+
 def section(runs, titles, name):
     """The section forces of a cut, or the least and the greatest of a ring of cuts, over time."""
     figure = _stacked(["M (kNm/m)", "N (kN/m)", "Q (kN/m)"], 620)

@@ -46,6 +46,11 @@ def model(run):
         lining = run.lining(name)
         add(f"lining {name}", f"{lining.thickness:g} m thick, EA {lining.axial_stiffness:.4g} N/m, EI {lining.bending_stiffness:.4g} N m, "
             f"{len(lining.nodes)} elements, {len(lining.hinges)} hinges")
+    for name in run.props:
+        prop = run.prop(name)
+        if len(prop):
+            add(f"prop {name}", f"from {prop.ends[0]} to {prop.ends[1]}, {prop.length[0]:.3g} m; {prop.force[0] / 1e3:.4g} kN/m at the start, "
+                f"{prop.force.min() / 1e3:.4g} to {prop.force.max() / 1e3:.4g} kN/m over time")
     for name in run.sections:
         section = run.section(name)
         add(f"section {name}", f"{'a cut' if section.centre is None else f'{len(section.cuts)} cuts'} through {section.structure}, "

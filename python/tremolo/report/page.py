@@ -67,6 +67,7 @@ def _charts(runs, titles):
         "structures": [charts.structure(runs, titles, name) for name in structures],
         "linings": [charts.lining(runs, titles, name) for name in lined],
         "sections": [charts.section(runs, titles, name) for name in cut],
+        "props": charts.props(runs, titles),
         "water": charts.water(runs, titles),
         "drift": {title: found for i, (run, title) in enumerate(zip(runs, titles)) if (found := _drift(run, f"drift-{i}"))},
         "energy": charts.energy(runs, titles),
@@ -83,7 +84,7 @@ def _figures(sections):
     found += sections["sections"]
     found += [chart for _, own in sections["verified"].values() for chart in own]
     found += [chart for own in sections["drift"].values() for chart in own]
-    found += [sections["water"], sections["energy"], sections["passes"], *sections["activities"].values()]
+    found += [sections["props"], sections["water"], sections["energy"], sections["passes"], *sections["activities"].values()]
     return {chart.key: _plain(chart.figure) for chart in found if chart is not None}
 
 

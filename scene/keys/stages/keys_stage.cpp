@@ -54,13 +54,13 @@ Table stage_table() {
           {.name = "place",
            .type = Type::texts,
            .meaning =
-               "Names of regions and structures that come to stand. What is placed before it is removed "
+               "Names of regions, structures and props that come to stand. What is placed before it is removed "
                "is not there at the start. Soil begins with the stress of its own weight.",
            .otherwise = "nothing",
            .when = {"kind", {"construction"}}},
           {.name = "remove",
            .type = Type::texts,
-           .meaning = "Names of regions and structures that go.",
+           .meaning = "Names of regions, structures and props that go.",
            .otherwise = "nothing",
            .when = {"kind", {"construction"}}},
           {.name = "drainage",

@@ -13,6 +13,9 @@ std::vector<Table> lining_keys();
 /// [[section]] and what stands below it.
 std::vector<Table> section_keys();
 
+/// [[prop]] and what stands below it.
+std::vector<Table> prop_keys();
+
 /// Friction and adhesion against a soil.
 Table against_table(std::string_view name, std::string_view meaning);
 

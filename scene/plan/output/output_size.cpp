@@ -134,6 +134,7 @@ double histories(const Case& scene, const Plan& plan) {
   bytes += static_cast<double>(scene.structures.size()) * table(mpm_domain::body_columns.size());
   for (const Section& section : scene.sections)
     bytes += table(1 + section.lines.size() * mpm_domain::section_columns.size());
+  bytes += static_cast<double>(scene.props.size()) * table(mpm_domain::prop_columns.size());
   for (const PlannedLining& lining : plan.linings)
     bytes += table(1 + lining.elements * mpm_domain::lining_element_columns.size() +
                    most_segments(lining) * mpm_domain::lining_segment_columns.size());

@@ -135,6 +135,7 @@ Case before_construction(const Case& scene, const ConstructionStage& constructio
   Case then = scene;
   then.regions = construction.before.regions;
   then.structures = construction.before.structures;
+  then.props = construction.before.props;
   then.water = construction.before.water;
   then.loads.resize(construction.loads_before);
   return then;
@@ -144,6 +145,7 @@ Case after_earthwork(const Case& scene, const Earthwork& work) {
   Case then = scene;
   then.regions = work.after.regions;
   then.structures = work.after.structures;
+  then.props = work.after.props;
   return then;
 }
 

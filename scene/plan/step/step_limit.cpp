@@ -2,6 +2,8 @@
 
 #include "mpm_domain/spec/limits.hpp"
 #include "scene/plan/layers.hpp"
+#include "scene/plan/prop/props.hpp"
+#include "scene/plan/structures.hpp"
 
 #include <fmt/format.h>
 
@@ -43,6 +45,9 @@ std::vector<Allowed> allowed_steps(const Case& scene, std::span<const Level> lev
     const double step = mpm_domain::largest_courant_number * scene.mesh.size / below->p_wave_speed();
     add("the ground below the base", scene.mesh.size, {step, step});
   }
+  for (const PlannedProp& prop : plan_props(scene))
+    add(fmt::format("prop '{}'", prop.name), contact_cell_size(scene),
+        {prop.critical_step, prop.critical_step});
   return all;
 }
 

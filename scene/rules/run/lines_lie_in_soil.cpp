@@ -17,10 +17,7 @@ constexpr double most_points = 100;
 } // namespace
 
 void lines_lie_in_soil(const Case& scene, Findings& findings) {
-  std::vector<std::string> names;
-  for (const Line& line : scene.lines)
-    names.push_back(line.name);
-  check_result_names("line", names, findings);
+  check_result_names("line", scene.lines, findings);
   const bool regions_known =
       findings.sound("region") &&
       std::ranges::none_of(scene.regions, [](const Region& r) { return r.polygon.empty(); });

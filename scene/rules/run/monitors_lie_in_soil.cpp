@@ -12,10 +12,7 @@ namespace tremolo::scene {
 void monitors_lie_in_soil(const Case& scene, Findings& findings) {
   const bool regions_known =
       std::ranges::none_of(scene.regions, [](const Region& r) { return r.polygon.empty(); });
-  std::vector<std::string> names;
-  for (const Monitor& monitor : scene.monitors)
-    names.push_back(monitor.name);
-  check_result_names("monitor", names, findings);
+  check_result_names("monitor", scene.monitors, findings);
   for (std::size_t i = 0; i < scene.monitors.size(); ++i) {
     const Point point = scene.monitors[i].point;
     const std::string path = fmt::format("monitor[{}].point", i);

@@ -24,10 +24,7 @@ bool holds_soil(const Case& scene, const mesh::Quadtree& tree, const Polygon& po
 } // namespace
 
 void sliding_masses_hold_soil(const Case& scene, Findings& findings) {
-  std::vector<std::string> names;
-  for (const SlidingMass& mass : scene.sliding_masses)
-    names.push_back(mass.name);
-  check_result_names("sliding_mass", names, findings);
+  check_result_names("sliding_mass", scene.sliding_masses, findings);
   for (std::size_t i = 0; i < scene.sliding_masses.size(); ++i) {
     const Outline& outline = scene.sliding_masses[i].outline;
     const std::string path = fmt::format("sliding_mass[{}].{}", i, outline.key);

@@ -1,6 +1,7 @@
-// Loads, monitors, lines and sliding masses ride on particles from the start on: those must not be removed,
-// and what is placed must not bury a load, or become part of a sliding mass.
+// Loads, monitors, lines, sliding masses and props ride on particles from the start on: those must not be
+// removed, and what is placed must not bury a load, or become part of a sliding mass.
 
+#include "scene/plan/structures.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +23,19 @@ std::string rider_in(const Case& scene, const Region& region) {
     if (line.spacing > 0.0 && std::ranges::any_of(points_along(line.from, line.to, line.spacing),
                                                   [&](Point p) { return contains(region.polygon, p); }))
       return fmt::format("the line '{}'", line.name);
+  return {};
+}
+
+/// The prop that holds on to soil in a region, in words: soil within about a cell of its end.
+std::string prop_in(const Case& scene, const Region& region) {
+  const double reach = contact_cell_size(scene) * (1.0 + 1.0 / scene.mesh.particles_per_cell);
+  for (const Prop& prop : scene.props)
+    for (const Prop::End* end : {&prop.from, &prop.to})
+      if (end->structure.empty() && (contains(region.polygon, end->place) ||
+                                     std::ranges::any_of(circle(end->place, reach), [&](Point p) {
+                                       return contains(region.polygon, p);
+                                     })))
+        return fmt::format("the prop '{}'", prop.name);
   return {};
 }
 
@@ -60,6 +74,7 @@ void earthworks_spare_what_rides_on_soil(const Case& scene, Findings& findings) 
                                                     region.name, what));
     };
     refuse(work.removed, ".remove", rider_in);
+    refuse(work.removed, ".remove", prop_in);
     refuse(work.removed, ".remove", mass_at);
     refuse(work.removed, ".remove", load_at);
     refuse(work.placed, ".place", mass_at);

@@ -4,10 +4,7 @@
 namespace tremolo::scene {
 
 void structures_have_names(const Case& scene, Findings& findings) {
-  std::vector<std::string> names;
-  for (const Structure& structure : scene.structures)
-    names.push_back(structure.name);
-  check_result_names("structure", names, findings);
+  check_result_names("structure", scene.structures, findings);
 }
 
 } // namespace tremolo::scene

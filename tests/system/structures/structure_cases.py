@@ -9,8 +9,8 @@ sys.path[:0] = [str(Path(__file__).parents[1] / "resume")]
 from broken_run import checkpoints, differences, resumes_with_the_same_bits, whole_run, with_checkpoints
 from small_case import Workspace
 
-__all__ = ["BlockWorkspace", "FrameWorkspace", "LinedWorkspace", "TunnelWorkspace", "WetLinedWorkspace", "checkpoints", "differences",
-           "resumes_with_the_same_bits", "whole_run", "with_checkpoints"]
+__all__ = ["AnchoredWorkspace", "BlockWorkspace", "FrameWorkspace", "LinedWorkspace", "TunnelWorkspace", "WetLinedWorkspace", "checkpoints",
+           "differences", "resumes_with_the_same_bits", "whole_run", "with_checkpoints"]
 
 STAGES = """
 [[stage]]
@@ -124,6 +124,25 @@ class FrameWorkspace(Workspace):
     template = FRAME
     defaults = BlockWorkspace.defaults | {"kind": "young = 500e6\npoisson = 0.2", "velocity": 0.1}
     weight = 24000.0 * 9.81  # N/m
+
+
+ANCHORED = BLOCK.replace("[mesh]", """[[prop]]
+name = "anchor"
+from = {{ structure = "block", at = [0.0, 0.5] }}
+to = {{ at = [0.0, -2.5] }}
+stiffness = 2e7
+prestress = 60e3
+bears = "tension"
+
+[mesh]""", 1).replace("[[stage]]\nkind = \"shaking\"", "[[stage]]\nkind = \"construction\"\nname = \"tie\"\nplace = [\"anchor\"]\n\n"
+                      "[[stage]]\nkind = \"shaking\"")
+
+
+class AnchoredWorkspace(BlockWorkspace):
+    """The block, tied to the ground below it by a prestress of 60 kN/m in a stage of its own."""
+
+    template = ANCHORED
+    prestress = 60e3  # N/m
 
 
 TUNNEL = """
