@@ -238,11 +238,23 @@ void ContactNode::set_trial(const Vector& solid_by_others, const Vector& water_b
 }
 
 void ContactNode::solve_alone(bool bonded) {
-  ContactPoint point = *this;
-  point.arm = {};
-  solve_contact(body_mass, body_mass, {body_trial, 0.0}, std::span(&point, 1), bonded);
-  point.arm = arm;
-  static_cast<ContactPoint&>(*this) = point;
+  const double wall = dot(normal, body_trial);
+  const double closing = normal_speed - wall;
+  const double sliding = slip_speed - dot(tangent(), body_trial);
+  const double push = mass * body_mass / (mass + body_mass) * closing;
+  const double water = water_impulse - full_water * (wall + push / body_mass);
+  tied = closed && (bonded || push > 0.0 || (wet() && water > least_water));
+  slip = 0;
+  normal_impulse = effective_impulse = tangential_impulse = 0.0;
+  if (tied) {
+    normal_impulse = push;
+    effective_impulse = push - water;
+    const double stick = tangential * body_mass / (tangential + body_mass) * sliding;
+    const double limit = bound(effective_impulse);
+    if (!bonded && std::abs(stick) > limit)
+      slip = stick > 0.0 ? 1 : -1;
+    tangential_impulse = slip == 0 ? stick : slip * limit;
+  }
   find_changes();
 }
 

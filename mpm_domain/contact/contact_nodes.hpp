@@ -64,7 +64,9 @@ struct ContactNode : ContactPoint {
   /// Whether what its tangential impulse does is sliding. A node of an elastic body that sticks may begin its
   /// step with a velocity other than the soil's, by the transfer from particles; to end that is impact.
   bool rubs() const { return body_mass == 0.0 || slip != 0; }
-  /// Finds the impulses between soil and the body's node, where the body is elastic.
+  /// Finds the impulses between soil and the body's node, where the body is elastic: with the mass M of that
+  /// node, N = m M/(m + M) (v_n - V_n), and T likewise where it sticks. In this form a node that is all but
+  /// empty, whose trial velocity means nothing, does not push the other by the rounding of that velocity.
   /// @param bonded  the node sticks if it is closed, whatever it would bear
   void solve_alone(bool bonded);
   /// Finds the changes of all velocities by the present impulses.

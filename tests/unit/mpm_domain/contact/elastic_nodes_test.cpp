@@ -96,6 +96,24 @@ TEST(DryElasticNode, LosesTheEnergyOfItsClosedForm) {
   }
 }
 
+/// A node that its body has only just reached has next to no mass, and its forces throw it. What it passes on
+/// is its own momentum.
+TEST(DryElasticNode, PassesOnNoMoreThanAnAllButEmptyNodeHas) {
+  ContactNode c;
+  c.normal = {1.0, 0.0};
+  c.solid_mass = c.mass = c.tangential = 475.0;
+  c.body_mass = 5e-18;
+  c.solid_trial = c.water_trial = {-3.1e-9, 2.3e-10};
+  c.body_trial = {-1.6e8, 3e7};
+  c.friction = 0.4;
+  c.set_trial({}, {});
+  const Pair pair(c);
+  EXPECT_NEAR(pair.node.normal_impulse, 5e-18 * 1.6e8, 1e-12 * 8e-10);
+  EXPECT_NEAR(pair.solid.x, c.solid_trial.x, 1e-11);
+  EXPECT_NEAR(pair.solid.y, c.solid_trial.y, 1e-11);
+  EXPECT_NEAR(pair.body.x, pair.solid.x, 1e-7); // the rounding of its trial velocity
+}
+
 /// Labels of soil and body change places: the same motion. A second contact changes nothing.
 TEST(DryElasticNode, KnowsNoLabelsAndIsDoneAtOnce) {
   Draw draw(13);
