@@ -29,11 +29,15 @@ struct Example {
   const char* folder;
 };
 
-constexpr std::array examples{
-    Example{"slope", "slope_oblique"},          Example{"box", "halfspace_box"},
-    Example{"level_ground", "level_ground"},    Example{"tunnel", "tunnel_uplift"},
-    Example{"buildings", "adjacent_buildings"}, Example{"levee", "embankment_on_sand"},
-    Example{"column", "layered_site"},          Example{"lining", "lined_tunnel"}};
+constexpr std::array examples{Example{"slope", "slope_oblique"},
+                              Example{"box", "halfspace_box"},
+                              Example{"level_ground", "level_ground"},
+                              Example{"tunnel", "tunnel_uplift"},
+                              Example{"buildings", "adjacent_buildings"},
+                              Example{"levee", "embankment_on_sand"},
+                              Example{"column", "layered_site"},
+                              Example{"lining", "lined_tunnel"},
+                              Example{"pit", "propped_pit"}};
 
 struct Options {
   std::string name;
