@@ -89,7 +89,8 @@ public:
   /// @returns the longest way back of a particle, m
   double move(Ground& ground, double dt);
 
-  /// Finds the contact nodes of the gravity stage, in which nothing moves.
+  /// Finds the contact nodes of the gravity stage, in which nothing moves, and the corners with which rigid
+  /// bodies stand on each other.
   void begin_rest(Ground& ground);
   StructureLoads& structure_loads() { return structure_loads_; }
   const StructureLoads& structure_loads() const { return structure_loads_; }

@@ -9,8 +9,10 @@
 namespace tremolo::mpm_domain {
 
 void Contact::begin_rest(Ground& ground) {
+  constexpr double touching = 1e-6; // cells
   find_nodes(ground, true);
-  corners_.clear(); // bodies at rest hold on to the soil alone
+  corners_ = find_corners(bodies_, structures_, touching * ground.finest_lattice().h);
+  refuse_elastic_corners();
 }
 
 double Contact::relax(Ground& ground, double keep, double gain, bool bonded,

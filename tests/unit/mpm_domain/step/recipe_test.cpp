@@ -118,6 +118,24 @@ TEST(Recipe, OfStructuresMeetsThemAfterTheUpdateAndMovesThemLast) {
                                    "strain and stress", "bodies", "accelerations"}));
 }
 
+TEST(Recipe, OfPropsPullsWithTheForcesAndFollowsTheBodies) {
+  Spec spec = test_support::flat_ground(8.0, 4.0, 1.0, {2000.0, 2e8, 0.2});
+  spec.structures = {test_support::structure(test_support::rectangle(-2.0, 0.0, 2.0, 3.0), 2000.0, 0.5)};
+  mpm_domain::Prop prop;
+  prop.from = {"block", {0.0, 1.0}};
+  prop.to = {"", {0.0, -2.0}};
+  prop.stiffness = 1e6;
+  spec.props = {prop};
+  const Names names = names_of(spec);
+  const auto at = [&](const char* name) { return std::ranges::find(names, name); };
+  ASSERT_NE(at("props"), names.end());
+  EXPECT_LT(at("boundary exchange"), at("props"));
+  EXPECT_LT(at("props"), at("grid update"));
+  spec.props.clear();
+  const Names without = names_of(spec);
+  EXPECT_EQ(std::ranges::find(without, "props"), without.end());
+}
+
 TEST(Recipe, OfReducedDispersionSharpensForcesAndVelocities) {
   Spec spec = box();
   spec.scheme.dispersion = mpm_domain::Dispersion::reduced;

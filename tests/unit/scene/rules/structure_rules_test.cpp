@@ -151,9 +151,12 @@ TEST(Rules, StructuresTouchSoil) {
   EXPECT_THAT(
       errors_of(outline("[[8.0, 0.26], [12.0, 0.26], [12.0, 4.0], [8.0, 4.0]]")),
       ElementsAre("case.toml:35:11: [[structure]] 'polygon' touches no soil: a structure stands on or in "
-                  "a [[region]]"));
-  // One that stands on another.
-  EXPECT_THAT(errors_of(with_block() + second("roof", "[[8.0, 4.0], [12.0, 4.0], [12.0, 8.0], [8.0, 8.0]]")),
+                  "a [[region]], or a rigid one on another rigid one that does"));
+  // Two that stand on another, one on the other.
+  const std::string roof = second("roof", "[[8.0, 4.0], [12.0, 4.0], [12.0, 8.0], [8.0, 8.0]]");
+  const std::string mast = second("mast", "[[9.0, 8.0], [11.0, 8.0], [11.0, 12.0], [9.0, 12.0]]");
+  EXPECT_THAT(errors_of(with_block() + mast + roof), IsEmpty());
+  EXPECT_THAT(errors_of(with_block() + mast),
               ElementsAre(HasSubstr("case.toml:41:11: [[structure]] 'polygon' touches no soil")));
 }
 
