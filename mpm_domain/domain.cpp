@@ -6,8 +6,8 @@
 namespace tremolo::mpm_domain {
 
 Domain::Domain(const Spec& specification)
-    : Ground(specification), loads(*this), earthworks(*this), contact(spec), linings(*this), props(*this, contact),
-      sections(*this) {
+    : Ground(specification), loads(*this), earthworks(*this), contact(spec), linings(*this),
+      props(*this, contact), sections(*this) {
   contact.take_bodies(*this);
   boundary.match(*this);
   for (const BoundaryFace& face : boundary.faces())

@@ -115,7 +115,8 @@ constexpr std::array rules = {
     Rule{Severity::error, Needs::model, props_have_names, "props_have_names",
          "Names of props can be those of results, and are different."},
     Rule{Severity::error, Needs::model, props_are_fastened, "props_are_fastened",
-         "Ends of props are apart, lie in two bodies or in one and in soil, and hold on to them all the time."},
+         "Ends of props are apart, lie in two bodies or in one and in soil, and hold on to them all the "
+         "time."},
     Rule{Severity::error, Needs::model, props_bear_their_prestress, "props_bear_their_prestress",
          "A prestress is a force that the prop bears, and no more than its yield force."},
     Rule{Severity::error, Needs::model, props_suit_case, "props_suit_case",

@@ -215,7 +215,8 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
                      std::span<const std::string> face_sources)
     : scene_(scene), domain_(domain), snapshot_(snapshot),
       writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
-      linings_(domain, writer_), props_(domain, writer_), sections_(scene, domain, writer_), sliding_masses_(scene, writer_),
+      linings_(domain, writer_), props_(domain, writer_), sections_(scene, domain, writer_),
+      sliding_masses_(scene, writer_),
       lost_hold_(domain, domain.boundary, scene.boundary.base.form != scene::BaseForm::incident,
                  scene.mesh.size) {
   const scene::Box& box = scene.mesh.box;
@@ -435,8 +436,8 @@ void RunOutput::take_over_histories(const results::RunReader& before, std::size_
     append(std::string(table_path), *table_);
   for (const Followers& followers : followers_)
     append(followers.path, *followers.series);
-  for (const auto* const part :
-       {&sliding_masses_.series(), &bodies_.series(), &linings_.series(), &props_.series(), &sections_.series()})
+  for (const auto* const part : {&sliding_masses_.series(), &bodies_.series(), &linings_.series(),
+                                 &props_.series(), &sections_.series()})
     for (const auto& [path, series] : *part)
       append(path, *series);
   for (const auto& [path, series] : bodies_.outlines())

@@ -21,8 +21,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Writes a run's file as the case asks: monitors, lines, sliding masses, linings, props, sections, energy, particle
-/// frames, boundary exchange, timings.
+/// Writes a run's file as the case asks: monitors, lines, sliding masses, linings, props, sections, energy,
+/// particle frames, boundary exchange, timings.
 ///
 /// Everything written belongs to the time of the particle velocities, Stepper::time_of_soil(): displacements
 /// are taken back by v dt/2 to it; accelerations lie half a step before it, stresses half a step after.

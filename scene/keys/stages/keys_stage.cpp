@@ -53,9 +53,9 @@ Table stage_table() {
            .when = {"kind", {"gravity", "load", "construction", "water"}}},
           {.name = "place",
            .type = Type::texts,
-           .meaning =
-               "Names of regions, structures and props that come to stand. What is placed before it is removed "
-               "is not there at the start. Soil begins with the stress of its own weight.",
+           .meaning = "Names of regions, structures and props that come to stand. What is placed before it "
+                      "is removed "
+                      "is not there at the start. Soil begins with the stress of its own weight.",
            .otherwise = "nothing",
            .when = {"kind", {"construction"}}},
           {.name = "remove",

@@ -77,9 +77,9 @@ TEST(Constructions, BringStructuresAndTakeTheirMonitorsAlong) {
 }
 
 TEST(Constructions, NameWhatIsThere) {
-  EXPECT_THAT(
-      errors_of(built(stage("dig", "remove = [\"pitt\"]"))),
-      ElementsAre(HasSubstr("no [[region]], [[structure]] or [[prop]] has the name 'pitt', did you mean 'pit'?")));
+  EXPECT_THAT(errors_of(built(stage("dig", "remove = [\"pitt\"]"))),
+              ElementsAre(HasSubstr(
+                  "no [[region]], [[structure]] or [[prop]] has the name 'pitt', did you mean 'pit'?")));
   EXPECT_THAT(errors_of(built(dig + stage("again", "remove = [\"pit\"]"))),
               ElementsAre(HasSubstr("'pit' cannot go: it is not there since the stage 'dig'")));
   EXPECT_THAT(errors_of(built(bank + stage("more", "place = [\"fill\"]"))),

@@ -72,7 +72,8 @@ TEST(Earthworks, SayHowLongTheyLastAndNothingOfRelaxation) {
 
 TEST(Earthworks, PlaceAndRemoveSoilThatIsThere) {
   EXPECT_THAT(errors_of(shaken(stage("construction", "name = \"a\"\nplace = [\"fil\"]\nramp_s = 2.0"))),
-              Contains(HasSubstr("no [[region]], [[structure]] or [[prop]] has the name 'fil', did you mean 'fill'?")));
+              Contains(HasSubstr(
+                  "no [[region]], [[structure]] or [[prop]] has the name 'fil', did you mean 'fill'?")));
   EXPECT_THAT(errors_of(shaken(stage("construction", "name = \"a\"\nremove = [\"fill\"]\nramp_s = 2.0"))),
               IsEmpty());
   EXPECT_THAT(
