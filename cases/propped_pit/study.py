@@ -39,7 +39,7 @@ def stage(run, name):
 
 
 def row(run, label):
-    """A row of the table."""
+    """A row of the table: compression of the strut, moments that stretch the side of the pit as negative."""
     cells = [label]
     if run.props:
         dug = stage(run, "dig to 6 m").prop("strut").force[-1]
@@ -60,7 +60,7 @@ def row(run, label):
 
 def main(tremolo="build/release/bin/tremolo", folder="runs/propped_pit"):
     Path(folder).mkdir(parents=True, exist_ok=True)
-    headings = ["variant", "N dug, kN/m", "largest", "at the end", "M west at rest, kNm/m", "largest", "M east at rest", "largest",
+    headings = ["variant", "strut when dug, kN/m", "largest", "at the end", "M west when dug, kNm/m", "largest", "M east when dug", "largest",
                 "building settles, mm", "tilts, degrees", "CPU time, min"]
     print(f"| {' | '.join(headings)} |\n|{' --- |' * len(headings)}")
     for name, (label, changes) in VARIANTS.items():
