@@ -16,7 +16,7 @@
 // Contact at each node by itself would tie soil to the lining at up to a cell from it, and so make the lining
 // larger than it is; the means over a cell do not.
 
-#include "mpm_domain/grid/node_share.hpp"
+#include "mpm_domain/kernel/node_share.hpp"
 #include "mpm_domain/lining/surface.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 

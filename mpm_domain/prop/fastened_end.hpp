@@ -17,7 +17,7 @@
 //     1/m = sum w_p^2/m_p.
 
 #include "mpm_domain/contact/contact.hpp"
-#include "mpm_domain/grid/node_share.hpp"
+#include "mpm_domain/kernel/node_share.hpp"
 #include "mpm_domain/spec/prop.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/grid/node_share.hpp"
+#include "mpm_domain/kernel/node_share.hpp"
 
 #include <cstddef>
 #include <vector>
