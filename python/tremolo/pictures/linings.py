@@ -19,8 +19,8 @@ DIAGRAMS = (
 )
 
 
-CONTACT = (("pressure", "pressure", 1.0, "kPa"), ("shear", "shear of the soil", 1.0, "kPa"))
-WET_CONTACT = (*CONTACT, ("water_pressure", "pressure of the water", 1.0, "kPa"))
+CONTACT = (("pressure", "pressure of the soil", 1.0, "kPa"), ("shear", "shear of the soil", 1.0, "kPa"))
+WET_CONTACT = (("pressure", "pressure of soil and water", 1.0, "kPa"), CONTACT[1], ("water_pressure", "pressure of the water", 1.0, "kPa"))
 
 
 def wall(outer, inner):
