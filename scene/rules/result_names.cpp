@@ -21,7 +21,7 @@ bool is_plain(const std::string& name) {
 
 } // namespace
 
-void check_result_names(std::string_view table, const std::vector<NamedTable>& named, Findings& findings) {
+void check_result_names(std::string_view table, const std::vector<NamedResult>& named, Findings& findings) {
   for (std::size_t i = 0; i < named.size(); ++i) {
     const std::string& name = named[i].name;
     const std::string path = named[i].path + ".name";
@@ -30,7 +30,7 @@ void check_result_names(std::string_view table, const std::vector<NamedTable>& n
                    fmt::format("'name' = \"{}\" names a table in the results and a picture: letters, digits, "
                                "blanks and _ - + . are allowed, beginning with a letter or digit",
                                name));
-    const auto first = std::ranges::find(named, name, &NamedTable::name);
+    const auto first = std::ranges::find(named, name, &NamedResult::name);
     if (!name.empty() && first - named.begin() < static_cast<std::ptrdiff_t>(i))
       findings.add(path, fmt::format("'name' = \"{}\" is taken by the {} in line {}", name, table,
                                      findings.place(first->path + ".name").line));

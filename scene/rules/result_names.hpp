@@ -9,7 +9,7 @@
 namespace tremolo::scene {
 
 /// A table with a key `name`.
-struct NamedTable {
+struct NamedResult {
   std::string name; ///< empty where it is missing
   std::string path; ///< "monitor[1]"
 };
@@ -17,13 +17,13 @@ struct NamedTable {
 /// Reports names of an array of tables that cannot be those of files and of groups in HDF5, and names that
 /// are taken by an earlier table.
 /// @param table  "monitor"
-void check_result_names(std::string_view table, const std::vector<NamedTable>& named, Findings& findings);
+void check_result_names(std::string_view table, const std::vector<NamedResult>& named, Findings& findings);
 
 /// Likewise for what was read from these tables. What does not know its path is the only one of its kind that
 /// no stage removes, and its number is that of its table.
 template <class Item>
 void check_result_names(std::string_view table, const std::vector<Item>& items, Findings& findings) {
-  std::vector<NamedTable> named;
+  std::vector<NamedResult> named;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if constexpr (requires { items[i].path; })
       named.push_back({items[i].name, items[i].path});
