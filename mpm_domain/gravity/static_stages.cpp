@@ -171,7 +171,6 @@ void StaticStages::go(const ConstructionSettings& construction) {
   carry_over(before, *model_);
   model_->props.carry_over(before.props);
   model_->props.place_jacks(&before.props);
-  model_->props.grow(0.0);
   begin_relaxation();
   relaxation_->count_way();
   drain(*model_, construction.undrained);

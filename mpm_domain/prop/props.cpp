@@ -70,6 +70,8 @@ double Props::critical_step() const {
 }
 
 void Props::act(Ground& ground, Contact& contact) {
+  if (!any())
+    return;
   std::vector<RigidLoad> loads(contact.bodies().size());
   for (Placed& prop : all_) {
     prop.from.follow(ground);
@@ -119,21 +121,20 @@ void Props::place_jacks(const Props* before) {
     if (before != nullptr && find(*before, prop.name) != nullptr)
       continue;
     prop.spring.set_stretch(0.0);
-    prop.jacked = prop.prestress.has_value();
+    if (prop.prestress)
+      prop.spring.jack(0.0);
   }
 }
 
 void Props::grow(double share) {
   for (Placed& prop : all_)
-    if (prop.jacked)
+    if (prop.spring.is_jacked())
       prop.spring.jack(share * *prop.prestress);
 }
 
 void Props::lock() {
-  for (Placed& prop : all_) {
+  for (Placed& prop : all_)
     prop.spring.lock();
-    prop.jacked = false;
-  }
 }
 
 void Props::add_loads_of_removed(const Ground& ground, const Contact& contact, const Props& after,

@@ -41,7 +41,6 @@ public:
     Spring spring;
     double length;                   ///< L, m
     std::optional<double> prestress; ///< N/m
-    bool jacked = false;             ///< the prestress is being applied
   };
 
   bool any() const { return !all_.empty(); }
@@ -60,7 +59,7 @@ public:
   void follow_velocity(const Ground& ground, const Contact& contact, double dt);
   /// Takes the stretch of props that stand in the model before.
   void carry_over(const Props& before);
-  /// Sets jacks on those that do not stand there and have a prestress; the others of them have no force yet.
+  /// Those that do not stand there have no force yet; jacks are set on those of them that have a prestress.
   /// @param before  null: no model
   void place_jacks(const Props* before);
   /// Lets jacks load with a share (1) of the prestress.

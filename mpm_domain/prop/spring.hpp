@@ -40,6 +40,7 @@ public:
 
   /// A jack holds the force (N/m), wherever the ends go.
   void jack(double force) { jack_ = force; }
+  bool is_jacked() const { return jack_.has_value(); }
   /// The prop itself bears that force now.
   void lock();
 

@@ -1,15 +1,14 @@
 """Linings as arrays, in maps, as diagrams and in the report."""
 
-import shutil
 import tempfile
 import unittest
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 import synthetic_lining as ring
 import synthetic_run
+from synthetic_report import text_of_report
 from test_pictures import run_command
 from tremolo import Run, bodies, style
 from tremolo.pictures import linings
@@ -105,17 +104,7 @@ class Lining(unittest.TestCase):
             self.assertEqual((0, ""), (status, error))
             for name in ("lining_ring.png", "lining_ring_contact.png"):
                 self.assertIn(str(Path(folder) / name), [str(path) for path in paths])
-            try:
-                import plotly  # noqa: F401
-            except ImportError:
-                self.skipTest("python3-plotly is missing (scripts/setup.sh installs it)")
-            copy = Path(folder) / "run.h5"
-            shutil.copy(self.path, copy)
-            with h5py.File(copy, "a") as file:
-                del file["energy"]  # the synthetic ledger has no residual
-            status, _, error = run_command("report", copy, "--out", Path(folder) / "report.html")
-            self.assertEqual((0, ""), (status, error))
-            text = (Path(folder) / "report.html").read_text(encoding="utf-8")
+            text = text_of_report(self, self.path, folder)
         self.assertIn('<section id="linings">', text)
         self.assertIn("ring: extremes around it", text)
         self.assertIn("lining ring", text)

@@ -1,6 +1,5 @@
 """Props as arrays, in maps, as a picture of their forces, and in the report."""
 
-import shutil
 import tempfile
 import unittest
 from pathlib import Path
@@ -9,7 +8,7 @@ import h5py
 import numpy as np
 
 import synthetic_run
-from test_pictures import run_command
+from synthetic_report import text_of_report
 from tremolo import Run, style
 from tremolo.pictures import props
 
@@ -70,17 +69,7 @@ class Prop(unittest.TestCase):
     def test_has_a_picture_and_stands_in_the_report(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual("props.png", Path(props.picture(self.run, Path(folder))).name)
-            try:
-                import plotly  # noqa: F401
-            except ImportError:
-                self.skipTest("python3-plotly is missing (scripts/setup.sh installs it)")
-            copy = Path(folder) / "run.h5"
-            shutil.copy(self.path, copy)
-            with h5py.File(copy, "a") as file:
-                del file["energy"]  # the synthetic ledger has no residual
-            status, _, error = run_command("report", copy, "--out", Path(folder) / "report.html")
-            self.assertEqual((0, ""), (status, error))
-            page = (Path(folder) / "report.html").read_text(encoding="utf-8")
+            page = text_of_report(self, self.path, folder)
         self.assertIn('<a href="#props">Props</a>', page)
         self.assertIn("prop strut", page)
         self.assertIn("Forces in props", page)

@@ -4,6 +4,8 @@
 //
 //     N_0 = -p R_o/(1 + 2 G R/(EA)).
 
+#include "lining_state.hpp"
+
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
@@ -37,21 +39,6 @@ Spec tunnel(double friction, std::vector<std::size_t> hinges = {}) {
   lining.adhesion = {0.0};
   spec.linings = {lining};
   return spec;
-}
-
-double mean_thrust(const Beam& beam) {
-  double sum = 0.0;
-  for (std::size_t e = 0; e < beam.elements().size(); ++e)
-    sum += beam.forces(e).axial / static_cast<double>(beam.elements().size());
-  return sum;
-}
-
-double fastest_particle(const Domain& domain) {
-  double fastest = 0.0;
-  for (const Particles& set : domain.sets)
-    for (std::size_t k = 0; k < set.size(); ++k)
-      fastest = std::max(fastest, std::hypot(set.vx[k], set.vy[k]));
-  return fastest;
 }
 
 TEST(LinedTunnel, StandsInGroundWithTheStressThatItHadBefore) {

@@ -5,6 +5,8 @@
 //
 // Lame's solution for a hole under stress from afar that a ring props.
 
+#include "lining_state.hpp"
+
 #include "tests/support/structure_scene.hpp"
 #include "tests/support/wet_lining.hpp"
 
@@ -36,11 +38,7 @@ Spec tunnel(bool filled) {
 }
 
 double mean_thrust(const Domain& domain) {
-  const Beam& beam = domain.linings.bodies().front().beam();
-  double sum = 0.0;
-  for (std::size_t e = 0; e < beam.elements().size(); ++e)
-    sum += beam.forces(e).axial / static_cast<double>(beam.elements().size());
-  return sum;
+  return mean_thrust(domain.linings.bodies().front().beam());
 }
 
 double thrust_after(const Spec& spec, const std::vector<Region>& before) {

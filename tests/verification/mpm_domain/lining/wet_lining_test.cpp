@@ -6,6 +6,8 @@
 // and contact bears its weight less that of the water in its place. In sand that has liquefied it is lifted
 // by the weight of the heavy fluid in its place.
 
+#include "lining_state.hpp"
+
 #include "mpm_domain/lining/water/water_before.hpp"
 #include "mpm_domain/lining/water/water_load.hpp"
 #include "mpm_domain/water/water_scatter.hpp"
@@ -28,21 +30,6 @@ using heavy_fluid::water;
 using materials::Drainage;
 
 constexpr double outer = ring_radius + 0.5 * ring_thickness;
-
-double mean_thrust(const Beam& beam) {
-  double sum = 0.0;
-  for (std::size_t e = 0; e < beam.elements().size(); ++e)
-    sum += beam.forces(e).axial / static_cast<double>(beam.elements().size());
-  return sum;
-}
-
-double fastest_particle(const Domain& domain) {
-  double fastest = 0.0;
-  for (const Particles& set : domain.sets)
-    for (std::size_t k = 0; k < set.size(); ++k)
-      fastest = std::max(fastest, std::hypot(set.vx[k], set.vy[k]));
-  return fastest;
-}
 
 class WetLining : public testing::TestWithParam<Drainage> {};
 
