@@ -44,22 +44,23 @@ VARIANTS = {
 FREE = {"free": ALONE, "free_uniform": ALONE | UNIFORM, "free_oblique": ALONE | OBLIQUE}
 
 
-def exact(section, radius, thickness, sticks):
+def exact(section, radius, thickness, sticks, modulus=SHEAR, stressed_before=False):
     """Amplitudes of N (N/m) and M (N) of cos 2(theta - 45 degrees) for a shear strain of 1, tests/verification/mpm_domain/lining: ground
-    that touches the ring at R_o = R + t/2."""
+    that touches the ring at R_o = R + t/2; or of ground that had the stress of this strain before the ring stood in it."""
     ea, ei = section
     r, t, ro = radius, thickness, radius + 0.5 * thickness
     n = np.array([0.0, 0.0, ea / r, 2.0 * ea / r])  # of A, B, U, W
     m = np.array([0.0, 0.0, 4.0 * ei / r**2, 2.0 * ei / r**2])
     rr = np.array([-6.0 / ro**4, -4.0 / ro**2, 0.0, 0.0])
     rt = np.array([-6.0 / ro**4, -2.0 / ro**2, 0.0, 0.0])
-    ur = np.array([2.0 / ro**3, 4.0 * (1.0 - POISSON) / ro, 0.0, 0.0]) / (2.0 * SHEAR)
-    ut = np.array([2.0 / ro**3, -2.0 * (1.0 - 2.0 * POISSON) / ro, 0.0, 0.0]) / (2.0 * SHEAR)
+    ur = np.array([2.0 / ro**3, 4.0 * (1.0 - POISSON) / ro, 0.0, 0.0]) / (2.0 * modulus)
+    ut = np.array([2.0 / ro**3, -2.0 * (1.0 - 2.0 * POISSON) / ro, 0.0, 0.0]) / (2.0 * modulus)
     surface = np.array([0.0, 0.0, t / r, 1.0 + 0.5 * t / r])
-    s = SHEAR
+    s = modulus
+    moved = 0.0 if stressed_before else 0.5 * ro  # of the ground at the ring, less what the ring disturbs
     rows = [n + 4.0 / r * m - ro * (rr + t / r * rt), 2.0 * n + 2.0 / r * m - ro * (1.0 + 0.5 * t / r) * rt,
             ur - np.array([0.0, 0.0, 1.0, 0.0]), ut - surface if sticks else rt]
-    right = [ro * s * (1.0 - t / r), -ro * s * (1.0 + 0.5 * t / r), -s * ro / (2.0 * SHEAR), s * ro / (2.0 * SHEAR) if sticks else s]
+    right = [ro * s * (1.0 - t / r), -ro * s * (1.0 + 0.5 * t / r), -moved, moved if sticks else s]
     scale = np.array([s * ro**4, s * ro**2, ro, ro])  # the unknowns differ by many powers of ten
     matrix = np.array(rows) * scale
     size = np.abs(matrix).max(axis=1)
