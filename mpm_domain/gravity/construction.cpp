@@ -1,16 +1,12 @@
 #include "mpm_domain/gravity/construction.hpp"
 
-#include "mpm_domain/lining/water/water_load.hpp"
 #include "mpm_domain/particles/fill.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <unordered_map>
 
@@ -94,22 +90,6 @@ const Lattice* lattice_of(const Domain& model, std::size_t structure) {
   return elastic == nullptr ? nullptr : &model.bodies[elastic->number()].lattice;
 }
 
-/// Beams and bonds as they were. What the water presses with must not change, which would come at once.
-void carry_linings(const Domain& before, Domain& after) {
-  const auto now = after.linings.bodies();
-  for (std::size_t b = 0; b < now.size(); ++b) {
-    now[b].set_state(before.linings.bodies()[b].state());
-    for (const Vector& corner : now[b].outline()) {
-      const double was = rest_pressure(before, corner);
-      if (const double is = rest_pressure(after, corner); std::abs(is - was) > 1.0)
-        throw std::invalid_argument(fmt::format(
-            "a construction stage changes the pressure of the water on lining '{}' from {:.6g} to "
-            "{:.6g} Pa at x = {:.6g} m, y = {:.6g} m: it may change by 1 Pa",
-            now[b].name(), was, is, corner.x, corner.y));
-    }
-  }
-}
-
 } // namespace
 
 void carry_over(const Domain& before, Domain& after) {
@@ -118,7 +98,7 @@ void carry_over(const Domain& before, Domain& after) {
     is_new.push_back(take_states(set, formers_of(before, set), after.spec.box));
   set_rest_stress(after.sets_of_soil(), after.spec,
                   [&](std::size_t s, std::size_t k) { return is_new[s][k]; });
-  carry_linings(before, after);
+  after.linings.carry_over(before.linings, before);
 }
 
 std::vector<std::size_t> removed_structures(const Domain& before, const std::vector<Structure>& after) {

@@ -14,7 +14,8 @@
 // is what the nodes lack: what removed soil held, less the weight of placed soil. With c as a load nothing
 // moves, and as it goes to zero (relaxation.hpp) the ground takes over: excavation and placing are one. What
 // a removed structure pressed onto the soil counts in f0. A placed one begins without weight. Where the water
-// has another level, soil that becomes dry, or wet, weighs otherwise, and so c has that part too.
+// has another level, soil that becomes dry, or wet, weighs otherwise, and so c has that part too; what it
+// presses with on linings goes from one model's to the other's along the same share.
 
 #include "mpm_domain/domain.hpp"
 
@@ -25,7 +26,6 @@ namespace tremolo::mpm_domain {
 
 /// Gives the particles and linings of a model what those of the model before have come to, and new soil the
 /// stress of its own weight.
-/// @throws std::invalid_argument where water would press on a lining with another pressure
 void carry_over(const Domain& before, Domain& after);
 
 /// The bodies that are not among the structures of the model after, as places in Contact::bodies().

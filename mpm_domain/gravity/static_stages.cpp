@@ -182,6 +182,7 @@ void StaticStages::go(const ConstructionSettings& construction) {
   course.grow = [&](double share) {
     for (std::size_t b = 0; b < weights.size(); ++b)
       model_->contact.weigh(*model_, b, share, weights[b]);
+    model_->linings.grow_water(share);
     model_->props.grow(share);
   };
   const Relaxed rest = run(

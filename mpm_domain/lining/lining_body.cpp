@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 namespace tremolo::mpm_domain {
@@ -108,6 +109,13 @@ void LiningBody::follow_sort(const Ground& ground) {
   const Lattice& lattice = ground.finest_lattice();
   const double margin = 4.0 * lattice.h + 2.0 * ground.sort_distance();
   near_ = particles_near(ground, box, margin);
+  const double way = 2.0 * ground.sort_distance(); // of a particle and the lining towards each other
+  inside_box_.clear();
+  std::ranges::copy_if(near_, std::back_inserter(inside_box_), [&](const NearParticle& of) {
+    const Particles& p = ground.sets[of.set];
+    return p.x[of.index] > box.x_min - way && p.x[of.index] < box.x_max + way &&
+           p.y[of.index] > box.y_min - way && p.y[of.index] < box.y_max + way;
+  });
   const double right = lattice.x0 + (lattice.nx - 1) * lattice.h;
   const double top = lattice.y0 + (lattice.ny - 1) * lattice.h;
   if (box.x_min < lattice.x0 || box.x_max > right || box.y_min < lattice.y0 || box.y_max > top)
@@ -142,13 +150,21 @@ void LiningBody::find_segments(const Ground& ground) {
   take_soils(ground);
 }
 
-std::vector<double> LiningBody::loads(const Ground& ground) const {
+std::vector<double> LiningBody::water_loads(const Ground& ground) const {
   std::vector<double> forces(beam_.places().size(), 0.0);
+  add_rest_pressure(ground, surface_.points(), beam_, forces);
+  return forces;
+}
+
+std::vector<double> LiningBody::loads(const Ground& ground) const {
+  std::vector<double> forces = water_loads(ground);
+  if (water_share_ < 1.0)
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      forces[i] = water_before_[i] + water_share_ * (forces[i] - water_before_[i]);
   for (std::size_t k = 0; k < beam_.node_count(); ++k) {
     const std::size_t y = beam_.first_dof(k) + 1;
-    forces[y] = -ground.spec.gravity * beam_.masses()[y];
+    forces[y] -= ground.spec.gravity * beam_.masses()[y];
   }
-  add_rest_pressure(ground, surface_.points(), beam_, forces);
   return forces;
 }
 
@@ -234,10 +250,33 @@ double LiningBody::meet_remapped(Ground& ground) const {
   return power;
 }
 
+/// Those in the octagon around the lining, which a ring fills: to find out more of a particle costs a look at
+/// all edges.
+const std::vector<NearParticle>& LiningBody::near_surface(const Ground& ground) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double least_sum = none, most_sum = -none, least_difference = none, most_difference = -none;
+  for (const Vector& at : surface_.points()) {
+    least_sum = std::min(least_sum, at.x + at.y);
+    most_sum = std::max(most_sum, at.x + at.y);
+    least_difference = std::min(least_difference, at.x - at.y);
+    most_difference = std::max(most_difference, at.x - at.y);
+  }
+  suspects_.clear();
+  for (const NearParticle& of : inside_box_) {
+    const Particles& p = ground.sets[of.set];
+    const double sum = p.x[of.index] + p.y[of.index];
+    const double difference = p.x[of.index] - p.y[of.index];
+    if (sum >= least_sum && sum <= most_sum && difference >= least_difference &&
+        difference <= most_difference)
+      suspects_.push_back(of);
+  }
+  return suspects_;
+}
+
 double LiningBody::move(Ground& ground, double dt) {
   beam_.move(dt);
   surface_.place(carried_.corners(beam_));
-  const PushedOut pushed = push_out(ground, surface_, near_);
+  const PushedOut pushed = push_out(ground, surface_, near_surface(ground));
   pushed_out_ += pushed.count;
   return pushed.farthest;
 }
@@ -271,6 +310,11 @@ double LiningBody::relax(Ground& ground, double keep, double gain, double dt, bo
 
 void LiningBody::end_rest() {
   beam_.set_velocities(std::vector<double>(beam_.places().size(), 0.0));
+}
+
+void LiningBody::carry_over(const LiningBody& before, const Ground& model_before) {
+  set_state(before.state());
+  water_before_ = before.water_loads(model_before);
 }
 
 std::vector<double> LiningBody::state() const {

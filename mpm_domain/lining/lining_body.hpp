@@ -86,6 +86,12 @@ public:
                std::span<const unsigned char> left_out);
   void end_rest();
 
+  /// Beam and contact of the lining as the model before has left it. Water at rest goes on to press as it did
+  /// there until the pressure grows.
+  void carry_over(const LiningBody& before, const Ground& model_before);
+  /// Lets water at rest press with what lies at a share (1) of the way from there to what it is here.
+  void grow_water(double share) { water_share_ = share; }
+
   /// What a checkpoint keeps, and back.
   std::vector<double> state() const;
   /// @throws std::runtime_error for the state of another lining
@@ -94,7 +100,11 @@ public:
 private:
   void find_segments(const Ground& ground);
   void take_soils(const Ground& ground);
-  /// Weight and hydrostatic pressure on the beam, N/m and N.
+  /// The particles that may lie in the lining.
+  const std::vector<NearParticle>& near_surface(const Ground& ground);
+  /// Hydrostatic pressure on the beam, N/m and N.
+  std::vector<double> water_loads(const Ground& ground) const;
+  /// Weight and hydrostatic pressure, likewise.
   std::vector<double> loads(const Ground& ground) const;
   /// What the impulses do to the beam, whose velocity becomes v, and to the nodes along with it.
   /// @param weight  loads(), N/m and N
@@ -106,9 +116,13 @@ private:
   LiningSurface carried_;
   BodySurface surface_;
   std::vector<NearParticle> near_;
+  std::vector<NearParticle> inside_box_; ///< those of them that may lie in the lining until the next sort
+  std::vector<NearParticle> suspects_;   ///< those that may lie in it now
   LiningContact contact_;
-  std::vector<SegmentRows> rows_; ///< of the last step
-  std::vector<NodeFlow> flows_;   ///< likewise
+  std::vector<SegmentRows> rows_;    ///< of the last step
+  std::vector<NodeFlow> flows_;      ///< likewise
+  std::vector<double> water_before_; ///< forces of water at rest in the model before; none: there is no such
+  double water_share_ = 1.0;
   long pushed_out_ = 0;
 };
 

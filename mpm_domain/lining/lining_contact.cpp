@@ -1,13 +1,13 @@
 #include "mpm_domain/lining/lining_contact.hpp"
 
+#include "base/lanes.hpp"
 #include "mpm_domain/lining/beam/beam_step.hpp"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
-#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -22,83 +22,52 @@ Vector direction(std::span<const SegmentRows> rows, std::size_t row) {
   return row % 2 == 0 ? rows[row / 2].normal : rows[row / 2].tangent();
 }
 
-/// A node of a segment.
-struct SegmentNode {
-  std::size_t node;
-  std::size_t row; ///< of the segment
-  double share;
-};
-
-/// The nodes of all segments, node after node.
-std::vector<SegmentNode> nodes_of(std::span<const SegmentRows> rows) {
-  std::vector<SegmentNode> nodes;
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    for (const auto& [node, share] : rows[row].soil)
-      nodes.push_back({node, row, share});
-  std::ranges::sort(nodes, {}, [](const SegmentNode& of) { return std::pair(of.node, of.row); });
-  return nodes;
-}
-
-/// The part of an entry of B m^-1 B^T that does not depend on directions.
-struct Tensor {
-  double xx = 0.0, yx = 0.0, xy = 0.0, yy = 0.0;
-
-  double between(const Vector& a, const Vector& b) const {
-    return a.x * (xx * b.x + xy * b.y) + a.y * (yx * b.x + yy * b.y);
-  }
-};
-
-/// The lower half of B m^-1 B^T, row after row. Only segments that share nodes answer to each other.
-std::vector<double> soil_answer(std::span<const SegmentRows> rows, const SoilMotion& soil) {
-  const std::vector<SegmentNode> nodes = nodes_of(rows);
-  const std::size_t count = rows.size();
-  std::vector<Tensor> both(count * count);
-  for (auto first = nodes.begin(); first != nodes.end();) {
-    const auto end =
-        std::find_if(first, nodes.end(), [&](const SegmentNode& of) { return of.node != first->node; });
-    const Vector x = soil.of_grains(first->node, {1.0, 0.0});
-    const Vector y = soil.of_grains(first->node, {0.0, 1.0});
-    for (auto a = first; a != end; ++a)
-      for (auto b = first; b <= a; ++b) {
-        const double share = a->share * b->share;
-        Tensor& to = both[a->row * count + b->row];
-        to = {to.xx + share * x.x, to.yx + share * x.y, to.xy + share * y.x, to.yy + share * y.y};
-      }
-    first = end;
-  }
-  const std::size_t size = 2 * count;
-  std::vector<double> g(size * size, 0.0);
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b <= a; ++b)
-      if (const Tensor& of_both = both[a * count + b]; of_both.xx != 0.0)
-        for (const std::size_t r : {2 * a, 2 * a + 1})
-          for (const std::size_t c : {2 * b, 2 * b + 1})
-            g[r * size + c] = of_both.between(direction(rows, r), direction(rows, c));
-  return g;
-}
-
-/// The lower half of H A^-1 H^T, row after row.
-std::vector<double> beam_answer(std::span<const SegmentRows> rows, const BeamStep& step) {
+/// X = A^-1 H^T, a row for each degree of freedom of the beam.
+std::vector<double> motions_by_impulses(std::span<const SegmentRows> rows, const BeamStep& step) {
   const std::size_t size = 2 * rows.size();
-  std::vector<double> x(step.trial().size() * size, 0.0); // A^-1 H^T
+  std::vector<double> x(step.trial().size() * size, 0.0);
   for (std::size_t c = 0; c < size; ++c)
     for (const auto& [dof, velocity] : rows[c / 2].beam)
       x[dof * size + c] = dot(velocity, direction(rows, c));
   step.answer(x, size);
-  std::vector<double> g(size * size, 0.0);
-  for (std::size_t r = 0; r < size; ++r)
-    for (const auto& [dof, velocity] : rows[r / 2].beam) {
-      const double share = dot(velocity, direction(rows, r));
-      for (std::size_t c = 0; c <= r; ++c)
-        g[r * size + c] += share * x[dof * size + c];
-    }
-  return g;
+  return x;
 }
 
-void mirror(std::vector<double>& g, std::size_t size) {
-  for (std::size_t r = 0; r < size; ++r)
-    for (std::size_t c = r + 1; c < size; ++c)
-      g[r * size + c] = g[c * size + r];
+/// Some columns of the two rows of H X of a segment, which stay in registers.
+template <class Group, class InMemory, std::size_t Count>
+void add_rows(const SegmentRows& rows, const double* x, std::size_t size, double* to) {
+  std::array<Group, Count> of_normal{}, of_tangent{};
+  const Vector t = rows.tangent();
+  for (const auto& [dof, velocity] : rows.beam) {
+    const double along_normal = dot(velocity, rows.normal);
+    const double along_tangent = dot(velocity, t);
+    const auto* const from = reinterpret_cast<const InMemory*>(x + dof * size);
+#pragma GCC unroll 8
+    for (std::size_t g = 0; g < Count; ++g) {
+      of_normal[g] += along_normal * from[g];
+      of_tangent[g] += along_tangent * from[g];
+    }
+  }
+#pragma GCC unroll 8
+  for (std::size_t g = 0; g < Count; ++g) {
+    reinterpret_cast<InMemory*>(to)[g] = of_normal[g];
+    reinterpret_cast<InMemory*>(to + size)[g] = of_tangent[g];
+  }
+}
+
+/// H X, row after row.
+std::vector<double> beam_answer(std::span<const SegmentRows> rows, std::span<const double> x) {
+  const std::size_t size = 2 * rows.size();
+  std::vector<double> g(size * size);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    double* const to = &g[2 * k * size];
+    std::size_t c = 0;
+    for (; c + 16 <= size; c += 16)
+      add_rows<Lanes, LanesInMemory, 4>(rows[k], x.data() + c, size, to + c);
+    for (; c < size; c += 2)
+      add_rows<double, double, 2>(rows[k], x.data() + c, size, to + c);
+  }
+  return g;
 }
 
 /// B w - H v in the directions of all rows.
@@ -111,26 +80,6 @@ std::vector<double> closing_speeds(std::span<const SegmentRows> rows, const Soil
     closing.push_back(dot(of.tangent(), speed));
   }
   return closing;
-}
-
-/// An impulse on the soil's side of a segment, node after node.
-void add_impulse(const SegmentRows& rows, const Vector& impulse, std::vector<NodeChange>& to) {
-  for (const auto& [node, share] : rows.soil) {
-    auto found = std::ranges::lower_bound(to, node, {}, &NodeChange::node);
-    if (found == to.end() || found->node != node)
-      found = to.insert(found, {node, {}, {}});
-    found->change = {found->change.x - share * impulse.x, found->change.y - share * impulse.y};
-  }
-}
-
-/// From impulses to what they change.
-void find_changes(const SoilMotion& soil, std::vector<NodeChange>& nodes) {
-  for (auto& [node, change, water] : nodes) {
-    const NodeFlow* flow = soil.flow(node);
-    const Vector impulse = change;
-    change = soil.of_grains(node, impulse);
-    water = flow != nullptr ? flow->of_water(impulse) : change;
-  }
 }
 
 } // namespace
@@ -155,17 +104,13 @@ std::vector<double> LiningContact::meet(std::span<const SegmentRows> rows, const
     if (!bonded)
       closing[2 * k] -= gaps_[rows[k].segment] / dt;
   }
-  soil_answer_ = soil_answer(rows, soil);
-  std::vector<double> of_beam = beam_answer(rows, step);
-  std::vector<double> answer = soil_answer_;
-  for (std::size_t i = 0; i < answer.size(); ++i)
-    answer[i] += of_beam[i];
-  mirror(answer, 2 * rows.size());
+  soil_ = SegmentSoil(rows, soil);
+  const std::vector<double> motions = motions_by_impulses(rows, step);
+  std::vector<double> answer = beam_answer(rows, motions);
   SegmentWater borne;
-  if (!water.nodes.empty()) {
-    mirror(of_beam, 2 * rows.size());
-    borne = find_segment_water(rows, water.nodes, of_beam, step.trial());
-  }
+  if (!water.nodes.empty())
+    borne = find_segment_water(rows, water.nodes, answer, step.trial());
+  soil_.add_answer(answer);
   solve_segments(answer, closing, contacts, bonded, borne);
 
   std::vector<bool> met(segments_.size(), false);
@@ -180,13 +125,13 @@ std::vector<double> LiningContact::meet(std::span<const SegmentRows> rows, const
     if (!met[s]) // no soil is there
       segments_[s].normal_impulse = segments_[s].tangential_impulse = segments_[s].water_impulse = 0.0;
 
-  std::vector<double> v(step.trial().size(), 0.0);
-  for (const SegmentRows& of : rows)
-    for (const auto& [dof, velocity] : of.beam)
-      v[dof] += dot(velocity, impulse(of));
-  step.answer(v);
-  for (std::size_t i = 0; i < v.size(); ++i)
-    v[i] += step.trial()[i];
+  std::vector<double> v = step.trial();
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double* const by_impulses = &motions[2 * rows.size() * i];
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      v[i] += by_impulses[2 * k] * contacts[k].normal_impulse +
+              by_impulses[2 * k + 1] * contacts[k].tangential_impulse;
+  }
   return v;
 }
 
@@ -199,11 +144,10 @@ Vector LiningContact::impulse(const SegmentRows& rows) const {
 
 std::vector<NodeChange> LiningContact::changes(std::span<const SegmentRows> rows,
                                                const SoilMotion& soil) const {
-  std::vector<NodeChange> changes;
+  std::vector<Vector> impulses;
   for (const SegmentRows& of : rows)
-    add_impulse(of, impulse(of), changes);
-  find_changes(soil, changes);
-  return changes;
+    impulses.push_back(impulse(of));
+  return soil_.changes(impulses, soil);
 }
 
 void LiningContact::follow_gaps(std::span<const SegmentRows> rows, const SoilMotion& soil,
@@ -218,30 +162,20 @@ void LiningContact::follow_gaps(std::span<const SegmentRows> rows, const SoilMot
 std::vector<NodeChange> LiningContact::stopped(std::span<const SegmentRows> rows, const SoilMotion& soil,
                                                std::span<const double> v) const {
   const std::vector<double> closing = closing_speeds(rows, soil, v);
-  std::vector<std::size_t> stopped;
-  for (std::size_t row = 0; row < closing.size(); ++row) {
-    const SegmentContact& segment = segments_[rows[row / 2].segment];
-    if (segment.tied && (row % 2 == 0 || segment.slip == 0))
-      stopped.push_back(row);
+  std::vector<bool> stopped;
+  for (const SegmentRows& of : rows) {
+    const SegmentContact& segment = segments_[of.segment];
+    stopped.insert(stopped.end(), {segment.tied, segment.tied && segment.slip == 0});
   }
-  const auto count = static_cast<Eigen::Index>(stopped.size());
-  Eigen::MatrixXd g(count, count);
-  Eigen::VectorXd speeds(count);
-  for (std::size_t r = 0; r < stopped.size(); ++r) {
-    speeds(static_cast<Eigen::Index>(r)) = closing[stopped[r]];
-    for (std::size_t c = 0; c <= r; ++c)
-      g(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
-          soil_answer_[stopped[r] * closing.size() + stopped[c]];
+  const std::vector<double> along = soil_.stop(closing, stopped);
+  std::vector<Vector> impulses;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Vector n = rows[k].normal;
+    const Vector t = rows[k].tangent();
+    impulses.push_back(
+        {along[2 * k] * n.x + along[2 * k + 1] * t.x, along[2 * k] * n.y + along[2 * k + 1] * t.y});
   }
-  const Eigen::VectorXd impulses = g.selfadjointView<Eigen::Lower>().llt().solve(speeds);
-  std::vector<NodeChange> changes;
-  for (std::size_t k = 0; k < stopped.size(); ++k) {
-    const Vector along = direction(rows, stopped[k]);
-    const double j = impulses(static_cast<Eigen::Index>(k));
-    add_impulse(rows[stopped[k] / 2], {j * along.x, j * along.y}, changes);
-  }
-  find_changes(soil, changes);
-  return changes;
+  return soil_.changes(impulses, soil);
 }
 
 std::vector<double> LiningContact::state() const {

@@ -11,6 +11,7 @@
 
 #include "mpm_domain/lining/segment_contact.hpp"
 #include "mpm_domain/lining/segment_rows.hpp"
+#include "mpm_domain/lining/segment_soil.hpp"
 #include "mpm_domain/lining/soil_motion.hpp"
 
 #include <cstddef>
@@ -20,13 +21,6 @@
 namespace tremolo::mpm_domain {
 
 class BeamStep;
-
-/// What impulses change of a node's velocity, m/s.
-struct NodeChange {
-  std::size_t node;
-  Vector change; ///< of the grains
-  Vector water;  ///< of water that flows; elsewhere as of the grains
-};
 
 /// The pore water before a lining.
 struct WaterBefore {
@@ -75,7 +69,7 @@ private:
   std::vector<SegmentContact> segments_;
   std::vector<double> lengths_; ///< m
   std::vector<double> gaps_;
-  std::vector<double> soil_answer_; ///< B m^-1 B^T of the last step, its lower half, row after row
+  SegmentSoil soil_; ///< of the last step
 };
 
 } // namespace tremolo::mpm_domain

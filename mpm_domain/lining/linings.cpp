@@ -55,4 +55,14 @@ void Linings::end_rest() {
     body.end_rest();
 }
 
+void Linings::carry_over(const Linings& before, const Ground& model_before) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    bodies_[b].carry_over(before.bodies_[b], model_before);
+}
+
+void Linings::grow_water(double share) {
+  for (LiningBody& body : bodies_)
+    body.grow_water(share);
+}
+
 } // namespace tremolo::mpm_domain

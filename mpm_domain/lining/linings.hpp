@@ -33,6 +33,10 @@ public:
                std::span<const unsigned char> left_out);
   void end_rest();
 
+  /// As LiningBody::carry_over and grow_water, for all.
+  void carry_over(const Linings& before, const Ground& model_before);
+  void grow_water(double share);
+
   /// What a checkpoint keeps (state.hpp).
   template <class Writer>
   void save(Writer& to) const {

@@ -42,7 +42,7 @@ std::vector<Pass> lining_passes(Ground& ground, Linings& linings) {
       {Phase::contact, "linings", [&](Step& step) { meet_linings(ground, linings, step); }},
       {Phase::bodies, "linings move", [&](Step& step) { move_linings(ground, linings, step); }}};
   if (ground.is_remapped())
-    passes.push_back({Phase::remap, "", [&](Step& step) {
+    passes.push_back({Phase::remap, "linings remap", [&](Step& step) {
                         for (const LiningBody& lining : linings.bodies())
                           step.energy.transfer += step.kicks.front() * lining.meet_remapped(ground);
                       }});

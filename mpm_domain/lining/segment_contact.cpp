@@ -11,7 +11,8 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-using Answer = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+/// Symmetric, so that the order of rows and columns does not matter.
+using Answer = Eigen::Map<const Eigen::MatrixXd>;
 using Speeds = Eigen::Map<const Eigen::VectorXd>;
 
 Eigen::Index normal_of(std::size_t segment) {
@@ -52,7 +53,11 @@ public:
   }
 
   /// The impulses for the present sets.
-  Eigen::VectorXd solve() const { return water_.any() ? solve_wet() : solve_dry(); }
+  Eigen::VectorXd solve() const {
+    // Water tells only what rubs.
+    const bool slips = std::ranges::any_of(segments_, [](const SegmentContact& s) { return s.slip != 0; });
+    return water_.any() && slips ? solve_wet() : solve_dry();
+  }
 
   /// Brings the sets in line with impulses. @returns whether one changed
   bool revise(const Eigen::VectorXd& impulses) {
@@ -91,24 +96,25 @@ private:
         if (segments_[s].slip == 0)
           unknown.push_back(tangent_of(s));
       }
+    if (std::ssize(unknown) == closing_.size()) // all stick
+      return answer_.llt().solve(closing_);
     // T = s (mu N + a) where a segment slips: its column goes to that of N.
-    Eigen::MatrixXd columns = answer_(Eigen::all, unknown);
-    Eigen::VectorXd right = closing_;
-    Eigen::VectorXd impulses = Eigen::VectorXd::Zero(closing_.size());
-    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-      const SegmentContact& segment =
-          segments_[static_cast<std::size_t>(unknown[static_cast<std::size_t>(k)] / 2)];
+    Eigen::MatrixXd square = answer_(unknown, unknown);
+    Eigen::VectorXd right = closing_(unknown);
+    bool symmetric = true;
+    for (Eigen::Index k = 0; k < square.cols(); ++k) {
       const Eigen::Index of = unknown[static_cast<std::size_t>(k)];
-      if (segment.slip == 0 || of % 2 != 0)
+      const SegmentContact& segment = segments_[static_cast<std::size_t>(of / 2)];
+      if (segment.slip == 0)
         continue;
-      columns.col(k) += segment.slip * segment.friction * answer_.col(of + 1);
-      right -= segment.slip * segment.adhesion * answer_.col(of + 1);
+      const Eigen::VectorXd tangent = answer_(unknown, of + 1);
+      square.col(k) += segment.slip * segment.friction * tangent;
+      right -= segment.slip * segment.adhesion * tangent;
+      symmetric = symmetric && segment.friction == 0.0;
     }
-    const Eigen::MatrixXd square = columns(unknown, Eigen::all);
-    const bool symmetric = std::ranges::none_of(
-        segments_, [](const SegmentContact& s) { return s.tied && s.slip != 0 && s.friction > 0.0; });
-    const Eigen::VectorXd found = symmetric ? Eigen::VectorXd(square.llt().solve(right(unknown)))
-                                            : Eigen::VectorXd(square.partialPivLu().solve(right(unknown)));
+    const Eigen::VectorXd found = symmetric ? Eigen::VectorXd(square.llt().solve(right))
+                                            : Eigen::VectorXd(square.partialPivLu().solve(right));
+    Eigen::VectorXd impulses = Eigen::VectorXd::Zero(closing_.size());
     for (std::size_t k = 0; k < unknown.size(); ++k)
       impulses(unknown[k]) = found(static_cast<Eigen::Index>(k));
     for (std::size_t s = 0; s < segments_.size(); ++s)

@@ -13,6 +13,8 @@ namespace {
 constexpr double least_soil = 0.05;
 /// Part of a full node's mass from which a node counts as one of soil.
 constexpr double counted_mass = 0.01;
+/// What a segment seldom has more of.
+constexpr std::size_t usual_nodes = 12, usual_freedoms = 30;
 
 struct PointShares {
   std::array<NodeShare, 4> nodes; ///< of the cell; as many as `count`
@@ -21,7 +23,9 @@ struct PointShares {
   Vector place;     ///< X'
 };
 
-PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const double> mass, double full) {
+/// @param per_mass  1/(mass from which a node counts), m/kg
+PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const double> mass,
+                      double per_mass) {
   PointShares shares;
   const double x = (at.x - lattice.x0) / lattice.h;
   const double y = (at.y - lattice.y0) / lattice.h;
@@ -30,8 +34,8 @@ PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const 
   for (int j = std::max(j0, 0); j <= std::min(j0 + 1, lattice.ny - 1); ++j)
     for (int i = std::max(i0, 0); i <= std::min(i0 + 1, lattice.nx - 1); ++i) {
       const std::size_t node = lattice.index(i, j);
-      const double hat = (1.0 - std::abs(x - i)) * (1.0 - std::abs(y - j)) *
-                         std::min(1.0, mass[node] / (counted_mass * full));
+      const double hat =
+          (1.0 - std::abs(x - i)) * (1.0 - std::abs(y - j)) * std::min(1.0, mass[node] * per_mass);
       if (hat <= 0.0)
         continue;
       shares.nodes[shares.count++] = {node, hat};
@@ -47,29 +51,38 @@ PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const 
 
 std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& beam, const Lattice& lattice,
                                    std::span<const double> mass, double full) {
+  const double per_mass = 1.0 / (counted_mass * full);
   std::vector<SegmentRows> all;
+  all.reserve(surface.segments().size());
   for (std::size_t s = 0; s < surface.segments().size(); ++s) {
     const SurfaceSegment& segment = surface.segments()[s];
-    std::vector<std::pair<const SurfacePoint*, PointShares>> counted;
-    for (const SurfacePoint& point : segment.points)
-      if (PointShares shares = shares_at(place(point, beam), lattice, mass, full); shares.sum >= least_soil)
-        counted.emplace_back(&point, std::move(shares));
-    if (counted.empty())
-      continue;
-    SegmentRows& rows = all.emplace_back();
-    rows.segment = s;
-    rows.normal = normal(segment, beam);
-    for (const auto& [point, shares] : counted) {
-      const double share = 1.0 / static_cast<double>(counted.size());
+    SegmentRows rows{.segment = s, .soil = {}, .beam = {}, .normal = {}, .place = {}};
+    rows.soil.reserve(usual_nodes);
+    rows.beam.reserve(usual_freedoms);
+    double counted = 0.0; // points
+    for (const SurfacePoint& point : segment.points) {
+      const PointShares shares = shares_at(place(point, beam), lattice, mass, per_mass);
+      if (shares.sum < least_soil)
+        continue;
+      counted += 1.0;
       for (const NodeShare& of_node : std::span(shares.nodes).first(shares.count)) {
         auto found = std::ranges::find(rows.soil, of_node.node, &NodeShare::node);
         if (found == rows.soil.end())
           found = rows.soil.insert(found, {of_node.node, 0.0});
-        found->share += share * of_node.share / shares.sum;
+        found->share += of_node.share / shares.sum;
       }
-      add_velocity(*point, shares.place, share, beam, rows.beam);
-      rows.place = {rows.place.x + share * shares.place.x, rows.place.y + share * shares.place.y};
+      add_velocity(point, shares.place, 1.0, beam, rows.beam);
+      rows.place = {rows.place.x + shares.place.x, rows.place.y + shares.place.y};
     }
+    if (counted == 0.0)
+      continue;
+    for (NodeShare& of_node : rows.soil)
+      of_node.share /= counted;
+    for (BeamShare& of_beam : rows.beam)
+      of_beam.velocity = {of_beam.velocity.x / counted, of_beam.velocity.y / counted};
+    rows.place = {rows.place.x / counted, rows.place.y / counted};
+    rows.normal = normal(segment, beam);
+    all.push_back(std::move(rows));
   }
   return all;
 }

@@ -25,7 +25,7 @@ Vector away(const Vector& from, const Vector& to) {
 }
 
 Vector unit(const Vector& v) {
-  const double length = std::hypot(v.x, v.y);
+  const double length = std::sqrt(square(v));
   return {v.x / length, v.y / length};
 }
 
@@ -54,14 +54,14 @@ struct Ends {
     a = {q[dofs[0]], q[dofs[1]]};
     b = {q[dofs[3]], q[dofs[4]]};
   }
-  Vector axis() const { return unit(away(a, b)); }
 };
 
 SurfacePoint carried(const Vector& at, std::size_t element, const Beam& beam) {
   const Ends ends(beam, element);
   const Vector chord = away(ends.a, ends.b);
   const double xi = std::clamp(dot(away(ends.a, at), chord) / square(chord), 0.0, 1.0);
-  return {element, xi, turned_back(ends.axis(), away(between(ends.a, ends.b, xi), at))};
+  return {element, xi,
+          turned_back(beam.place_of_element(element).axis, away(between(ends.a, ends.b, xi), at))};
 }
 
 /// A place on the outline, the normal there, into the body, and the number of its edge.
@@ -134,7 +134,7 @@ LiningSurface::LiningSurface(const Lining& lining, const Beam& beam, double cell
         facing = {facing.x + on.normal.x, facing.y + on.normal.y};
       }
       segment.carrier = run.at((static_cast<double>(s) + 0.5) * length).edge % beam.elements().size();
-      segment.normal = turned_back(Ends(beam, segment.carrier).axis(), unit(facing));
+      segment.normal = turned_back(beam.place_of_element(segment.carrier).axis, unit(facing));
       segments_.push_back(segment);
     }
   }
@@ -180,29 +180,33 @@ Vector foot(const SurfacePoint& point, const Beam& beam) {
 
 Vector place(const SurfacePoint& point, const Beam& beam) {
   const Vector c = foot(point, beam);
-  const Vector arm = turned(Ends(beam, point.element).axis(), point.arm);
+  const Vector arm = turned(beam.place_of_element(point.element).axis, point.arm);
   return {c.x + arm.x, c.y + arm.y};
 }
 
 Vector normal(const SurfaceSegment& segment, const Beam& beam) {
-  return turned(Ends(beam, segment.carrier).axis(), segment.normal);
+  return turned(beam.place_of_element(segment.carrier).axis, segment.normal);
 }
 
 void add_velocity(const SurfacePoint& point, const Vector& at, double share, const Beam& beam,
                   std::vector<BeamShare>& to) {
   const Vector arm = away(foot(point, beam), at);
   const auto& dofs = beam.elements()[point.element].dofs;
-  const auto add = [&](std::size_t dof, const Vector& velocity) {
-    auto found = std::ranges::find(to, dof, &BeamShare::dof);
-    if (found == to.end())
-      found = to.insert(found, {dof, {}});
-    found->velocity = {found->velocity.x + velocity.x, found->velocity.y + velocity.y};
-  };
-  for (const std::size_t end : {0U, 1U}) {
+  for (const std::size_t end : {0U, 3U}) {
     const double w = share * (end == 0 ? 1.0 - point.along : point.along);
-    add(dofs[3 * end], {w, 0.0});
-    add(dofs[3 * end + 1], {0.0, w});
-    add(dofs[3 * end + 2], {-w * arm.y, w * arm.x});
+    const BeamShare turn{dofs[end + 2], {-w * arm.y, w * arm.x}};
+    auto found = std::ranges::find(to, dofs[end], &BeamShare::dof);
+    if (found == to.end()) {
+      to.insert(found, {{dofs[end], {w, 0.0}}, {dofs[end + 1], {0.0, w}}, turn});
+      continue;
+    }
+    found->velocity.x += w; // its y stands behind it, and then a turn, of which hinges have two
+    (++found)->velocity.y += w;
+    found = std::find_if(found, to.end(), [&](const BeamShare& of) { return of.dof == turn.dof; });
+    if (found == to.end())
+      to.push_back(turn);
+    else
+      found->velocity = {found->velocity.x + turn.velocity.x, found->velocity.y + turn.velocity.y};
   }
 }
 

@@ -138,7 +138,7 @@ constexpr std::array rules = {
     Rule{Severity::error, Needs::model, linings_have_weight, "linings_have_weight",
          "Linings have weight: a gravity stage."},
     Rule{Severity::error, Needs::model, linings_suit_case, "linings_suit_case",
-         "Linings stand in dry ground that no stage changes, with the time stepping that they are made for."},
+         "Linings have the time stepping and the base that they are made for."},
     Rule{Severity::error, Needs::model, earlier_models_are_sound, "earlier_models_are_sound",
          "What stands before a construction is as sound as what stands at last."},
     Rule{Severity::error, Needs::model, later_models_are_sound, "later_models_are_sound",

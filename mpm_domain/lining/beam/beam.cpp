@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace tremolo::mpm_domain {
@@ -12,11 +13,10 @@ namespace {
 
 /// Numbers of the nodes in the order that their degrees of freedom take.
 std::vector<std::size_t> numbering(std::size_t nodes, bool closed) {
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < nodes; ++k) {
-    const std::size_t half = (k + 1) / 2;
-    order.push_back(!closed ? k : (k % 2 == 0 ? half : nodes - half));
-  }
+  if (closed)
+    return numbers_of_ring(nodes);
+  std::vector<std::size_t> order(nodes);
+  std::iota(order.begin(), order.end(), std::size_t{0});
   return order;
 }
 
@@ -65,6 +65,13 @@ Beam::Beam(const BeamShape& shape, const BeamSection& section)
     for (std::size_t i = 0; i < 6; ++i)
       masses_[elements_.back().dofs[i]] += 0.5 * length * (i % 3 == 2 ? section.rotary : section.mass);
   }
+  now_.resize(elements_.size());
+  follow_places();
+}
+
+void Beam::follow_places() {
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    now_[e] = place_of(elements_[e], q_);
 }
 
 double Beam::mass() const {
@@ -83,9 +90,9 @@ double Beam::kinetic_energy() const {
 
 double Beam::strain_energy() const {
   double twice = 0.0;
-  for (const BeamElement& element : elements_) {
-    const ElementStrain strain = place_of(element, q_).strain;
-    const ElementForce force = force_of(element, section_, strain);
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const ElementStrain& strain = now_[e].strain;
+    const ElementForce force = force_of(elements_[e], section_, strain);
     for (std::size_t i = 0; i < 3; ++i)
       twice += strain[i] * force[i];
   }
@@ -93,26 +100,26 @@ double Beam::strain_energy() const {
 }
 
 SectionForces Beam::forces(std::size_t element) const {
-  const ElementPlace now = place_of(elements_[element], q_);
+  const ElementPlace& now = now_[element];
   return in_the_middle(force_of(elements_[element], section_, now.strain), now.length);
 }
 
 std::vector<double> Beam::internal_forces() const {
   std::vector<double> f(q_.size(), 0.0);
-  for (const BeamElement& element : elements_) {
-    const ElementPlace now = place_of(element, q_);
-    const ElementForce force = force_of(element, section_, now.strain);
-    const auto b = now.strain_rows();
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const ElementForce force = force_of(elements_[e], section_, now_[e].strain);
+    const auto b = now_[e].strain_rows();
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 6; ++j)
-        f[element.dofs[j]] += b[i][j] * force[i];
+        f[elements_[e].dofs[j]] += b[i][j] * force[i];
   }
   return f;
 }
 
 void Beam::add_stiffness(double factor, BandMatrix& to) const {
-  for (const BeamElement& element : elements_) {
-    const auto b = place_of(element, q_).strain_rows();
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const BeamElement& element = elements_[e];
+    const auto b = now_[e].strain_rows();
     const auto d = stiffness_of(element, section_);
     std::array<std::array<double, 6>, 3> db{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -143,15 +150,17 @@ void Beam::set_velocities(std::span<const double> v) {
 void Beam::move(double dt) {
   for (std::size_t i = 0; i < q_.size(); ++i)
     q_[i] += dt * v_[i];
+  follow_places();
 }
 
 void Beam::strain_in_place(double dt) {
-  for (BeamElement& element : elements_) {
-    const auto b = place_of(element, q_).strain_rows();
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const auto b = now_[e].strain_rows();
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 6; ++j)
-        element.strain_before[i] += dt * b[i][j] * v_[element.dofs[j]];
+        elements_[e].strain_before[i] += dt * b[i][j] * v_[elements_[e].dofs[j]];
   }
+  follow_places();
 }
 
 std::vector<double> Beam::state() const {
@@ -174,6 +183,7 @@ void Beam::set_state(std::span<const double> state) {
   for (BeamElement& element : elements_)
     for (double& strain : element.strain_before)
       strain = *from++;
+  follow_places();
 }
 
 } // namespace tremolo::mpm_domain

@@ -35,6 +35,7 @@ public:
   std::size_t node_count() const { return first_dof_.size(); }
   /// Element k begins at node k.
   const std::vector<BeamElement>& elements() const { return elements_; }
+  const ElementPlace& place_of_element(std::size_t element) const { return now_[element]; }
   std::span<const double> places() const { return q_; } ///< m, rad
   std::span<const double> velocities() const { return v_; }
   std::span<const double> masses() const { return masses_; } ///< M, kg/m and kg m
@@ -66,9 +67,13 @@ public:
   void set_state(std::span<const double> state);
 
 private:
+  /// Finds where the elements are.
+  void follow_places();
+
   BeamSection section_;
   std::vector<std::size_t> first_dof_; ///< by node
   std::vector<BeamElement> elements_;
+  std::vector<ElementPlace> now_; ///< of the elements
   std::vector<double> masses_, q_, v_;
 };
 

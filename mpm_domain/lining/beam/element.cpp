@@ -16,10 +16,13 @@ ElementPlace place_of(const BeamElement& element, std::span<const double> q) {
   const auto& [xa, ya, turn_a, xb, yb, turn_b] = element.dofs;
   const Vector chord{q[xb] - q[xa], q[yb] - q[ya]};
   ElementPlace place;
-  place.length = std::hypot(chord.x, chord.y);
+  place.length = std::sqrt(square(chord));
   place.axis = {chord.x / place.length, chord.y / place.length};
   const double turn = std::atan2(chord.y, chord.x) - element.angle;
-  const auto local = [&](double theta) { return std::remainder(theta - turn, 2.0 * std::numbers::pi); };
+  const auto local = [&](double theta) {
+    const double angle = theta - turn;
+    return std::abs(angle) < std::numbers::pi ? angle : std::remainder(angle, 2.0 * std::numbers::pi);
+  };
   place.strain = {place.length - element.length + element.strain_before[0],
                   local(q[turn_a]) + element.strain_before[1], local(q[turn_b]) + element.strain_before[2]};
   return place;

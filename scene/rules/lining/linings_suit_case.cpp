@@ -23,14 +23,6 @@ void linings_suit_case(const Case& scene, Findings& findings) {
   if (scene.boundary.has_shaking_table() && findings.sound("boundary.base.model"))
     findings.add("boundary.base.model", "soil on a shaking table carries no linings: their inertia there was "
                                         "not studied");
-  for (const ConstructionStage& stage : scene.constructions)
-    if (stage.water)
-      findings.add(
-          stage.path,
-          fmt::format("the stage '{}' gives the water other levels, but a [[lining]] stands in ground "
-                      "whose water stays where it is: that the pressure on it changes before the "
-                      "shaking is not computed",
-                      stage.name));
 }
 
 } // namespace tremolo::scene
