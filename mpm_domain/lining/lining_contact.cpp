@@ -3,6 +3,7 @@
 #include "base/lanes.hpp"
 #include "mpm_domain/lining/beam/beam_step.hpp"
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -126,12 +127,13 @@ std::vector<double> LiningContact::meet(std::span<const SegmentRows> rows, const
       segments_[s].normal_impulse = segments_[s].tangential_impulse = segments_[s].water_impulse = 0.0;
 
   std::vector<double> v = step.trial();
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const double* const by_impulses = &motions[2 * rows.size() * i];
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      v[i] += by_impulses[2 * k] * contacts[k].normal_impulse +
-              by_impulses[2 * k + 1] * contacts[k].tangential_impulse;
-  }
+  Eigen::VectorXd impulses(2 * std::ssize(rows));
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    impulses.segment<2>(2 * static_cast<Eigen::Index>(k)) << contacts[k].normal_impulse,
+        contacts[k].tangential_impulse;
+  using RowAfterRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<Eigen::VectorXd>(v.data(), std::ssize(v)) +=
+      Eigen::Map<const RowAfterRow>(motions.data(), std::ssize(v), impulses.size()) * impulses;
   return v;
 }
 

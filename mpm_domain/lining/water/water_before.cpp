@@ -5,6 +5,7 @@
 #include "mpm_domain/lining/water/water_load.hpp"
 #include "mpm_domain/particles/water/rest_pressure.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tremolo::mpm_domain {
@@ -17,8 +18,50 @@ struct Sealed {
   Vector force;        ///< sum V p_e grad S, N/m
 };
 
+/// The nodes of segments, and the cells with particles that reach one of them.
+class SegmentWindow {
+public:
+  SegmentWindow(std::span<const SegmentRows> rows, const NodeWindow& window, const Lattice& lattice)
+      : window_(window), has_(window.count(), 0),
+        reaches_(cells_across() * static_cast<std::size_t>(window.rows + reach), 0) {
+    const std::size_t first = lattice.index(0, 0);
+    const auto columns = static_cast<std::size_t>(lattice.nx);
+    for (const SegmentRows& of : rows)
+      for (const NodeShare& at : of.soil) {
+        const auto i = static_cast<int>((at.node - first) % columns);
+        const auto j = static_cast<int>((at.node - first) / columns);
+        if (!window.has(i, j) || has_[window.place(i, j)] != 0)
+          continue;
+        has_[window.place(i, j)] = 1;
+        for (int b = j - 2; b <= j + 1; ++b)
+          for (int a = i - 2; a <= i + 1; ++a)
+            reaches_[cell(a, b)] = 1;
+      }
+  }
+  bool has(int i, int j) const { return window_.has(i, j) && has_[window_.place(i, j)] != 0; }
+  /// Whether particles of a cell, by its lower left node, reach a node of a segment.
+  bool is_reached_from(int i, int j) const {
+    const int a = i - window_.i0 + 2;
+    const int b = j - window_.j0 + 2;
+    return a >= 0 && b >= 0 && a < window_.columns + reach && b < window_.rows + reach &&
+           reaches_[cell(i, j)] != 0;
+  }
+
+private:
+  static constexpr int reach = 3; // cells beyond the window, on both sides together
+
+  std::size_t cells_across() const { return static_cast<std::size_t>(window_.columns + reach); }
+  std::size_t cell(int i, int j) const {
+    return static_cast<std::size_t>(j - window_.j0 + 2) * cells_across() +
+           static_cast<std::size_t>(i - window_.i0 + 2);
+  }
+
+  const NodeWindow& window_;
+  std::vector<unsigned char> has_, reaches_;
+};
+
 std::vector<Sealed> sum_sealed(const Ground& ground, std::span<const NearParticle> near,
-                               const NodeWindow& window) {
+                               const NodeWindow& window, const SegmentWindow& nodes) {
   const Lattice& lattice = ground.finest_lattice();
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
@@ -26,6 +69,9 @@ std::vector<Sealed> sum_sealed(const Ground& ground, std::span<const NearParticl
   for (const auto& [set, k] : near) {
     const Particles& p = ground.sets[set];
     if (!p.traits.wet || p.traits.flowing)
+      continue;
+    if (!nodes.is_reached_from(static_cast<int>(std::floor(x_axis.cells(p.x[k]))),
+                               static_cast<int>(std::floor(y_axis.cells(p.y[k])))))
       continue;
     const double l = std::min(p.half_size, lattice.h);
     const Weights wx = cell_weights(p.x[k], x_axis, l);
@@ -35,7 +81,7 @@ std::vector<Sealed> sum_sealed(const Ground& ground, std::span<const NearParticl
       for (std::size_t a = 0; a < 4; ++a) {
         const int i = wx.base + static_cast<int>(a);
         const int j = wy.base + static_cast<int>(b);
-        if (!window.has(i, j))
+        if (!nodes.has(i, j))
           continue;
         Sealed& sum = sums[window.place(i, j)];
         sum.volume += p.volume[k] * wx.s[a] * wy.s[b];
@@ -62,11 +108,12 @@ WaterBefore find_water_before(const Ground& ground, std::span<const NearParticle
   const Grid& grid = ground.grid;
   const double empty = empty_mass(ground);
   const NodeWindow window = nodes_around(lattice, box);
-  const std::vector<Sealed> sealed = sum_sealed(ground, near, window);
+  const SegmentWindow nodes(rows, window, lattice);
+  const std::vector<Sealed> sealed = sum_sealed(ground, near, window, nodes);
   for (int j = window.j0; j < window.j0 + window.rows; ++j)
     for (int i = window.i0; i < window.i0 + window.columns; ++i) {
       const std::size_t n = lattice.index(i, j);
-      if (grid.mass[n] <= empty)
+      if (!nodes.has(i, j) || grid.mass[n] <= empty)
         continue;
       const Sealed& of_sealed = sealed[window.place(i, j)];
       const bool flows = flows_at(grid, n);

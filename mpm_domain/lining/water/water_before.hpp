@@ -1,7 +1,7 @@
 #pragma once
 
-// The pore water before a lining, as contact asks for it: at nodes (segment_water.hpp), the mass of water
-// that filled the soil, and its velocity under its own excess pressure,
+// The pore water before a lining, as contact asks for it: at the nodes of segments (segment_water.hpp), the
+// mass of water that filled the soil, and its velocity under its own excess pressure,
 //
 //     m~_f = rho_f V,      m~_f v_f* = rho_f V v_s + m_f w + dt sum V p_e grad S,
 //
