@@ -22,8 +22,7 @@ PROP = TEXT[TEXT.index("[[prop]]"):TEXT.index("[[section]]")]
 STAGE = TEXT[TEXT.index('[[stage]]\nkind = "construction"\nname = "strut"'):TEXT.index('[[stage]]\nkind = "construction"\nname = "dig to 6 m"')]
 BUILDING = TEXT[TEXT.index('[[structure]]\nname = "building"'):TEXT.index("[[prop]]")]
 SIDES = 'left = { model = "mpm" }\nright = { model = "mpm" }\nbase = { model = "mpm", form = "blended" }\n'
-# `mpm` knows vertical incidence only.
-OBLIQUE = {"angle_deg = 0.0\n": "angle_deg = 15.0\n", SIDES: SIDES.replace('"mpm"', '"fe"')}
+ELEMENTS = {SIDES: SIDES.replace('"mpm"', '"fe"')}  # `mpm` knows vertical incidence only
 # Folder: label, changes.
 VARIANTS = {
     "main": ("as it is", {}),
@@ -32,7 +31,8 @@ VARIANTS = {
     "weak": ("strut that yields at 120 kN/m", {"yield = 800e3\n": "yield = 120e3\n"}),
     "cantilever": ("no strut", {PROP: "", STAGE: ""}),
     "alone": ("no building", {BUILDING: ""}),
-    "oblique": ("15 degrees, free field `fe`", OBLIQUE),
+    "fe": ("free field `fe`", ELEMENTS),
+    "oblique": ("free field `fe`, 15 degrees", ELEMENTS | {"angle_deg = 0.0\n": "angle_deg = 15.0\n"}),
 }
 
 
