@@ -14,7 +14,7 @@
 namespace tremolo::results {
 
 /// Version of what the files of a set hold; a set of another version is refused.
-inline constexpr std::string_view checkpoint_schema_version = "1.7";
+inline constexpr std::string_view checkpoint_schema_version = "1.8";
 
 /// What a file belongs to. It is read again only where all of it is the same.
 struct CheckpointIdentity {

@@ -1,5 +1,6 @@
 #include "mpm_domain/contact/contact.hpp"
 
+#include "mesh/polygon_measures.hpp"
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
 
@@ -13,12 +14,8 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-Vector sum(const Vector& a, const Vector& b) {
-  return {a.x + b.x, a.y + b.y};
-}
-
 void add(RigidLoad& to, const Vector& force, const Vector& arm) {
-  to.force = sum(to.force, force);
+  to.force = to.force + force;
   to.moment += cross(arm, force);
 }
 
@@ -39,7 +36,7 @@ ContactWork sum(const ContactWork& a, const ContactWork& b) {
 ContactWork add_to_water(Grid& grid, const ContactNode& c, double density, double dt) {
   const std::size_t n = c.node;
   const Vector before{grid.wx_after[n], grid.wy_after[n]};
-  const Vector water = sum(before, c.water_change);
+  const Vector water = before + c.water_change;
   grid.wx_after[n] = water.x;
   grid.wy_after[n] = water.y;
   const double push = dt * c.water_mass / (density * grid.wet_volume[n]);
@@ -55,7 +52,7 @@ ContactWork push(Ground& ground, std::size_t n, double mass, const Vector& chang
                  double dt) {
   Grid& grid = ground.grid;
   const Vector before = grid.velocity_after(n);
-  const Vector after = sum(before, change);
+  const Vector after = before + change;
   grid.vx_after[n] = after.x;
   grid.vy_after[n] = after.y;
   grid.ax[n] += change.x / dt;
@@ -66,6 +63,11 @@ ContactWork push(Ground& ground, std::size_t n, double mass, const Vector& chang
   }
   return {.kinetic = 0.5 * mass * (square(after) - square(before)),
           .gravity = -0.5 * dt * ground.spec.gravity * mass * change.y};
+}
+
+/// Area within the outline of a structure, m2.
+double area(const Structure& structure) {
+  return std::abs(0.5 * mesh::signed_double_area(structure.outline));
 }
 
 std::optional<WaterAround> water_around(const Ground& ground) {
@@ -102,15 +104,43 @@ BodyForces Contact::forces(std::size_t body) const {
   forces.weight = load(body);
   if (dt_ == 0.0)
     return forces;
-  for (const ContactNode& c : nodes(body)) {
-    const auto along = [&](const Vector& direction, double impulse) {
-      return Vector{impulse / dt_ * direction.x, impulse / dt_ * direction.y};
-    };
-    add(forces.normal, along(c.normal, c.effective_impulse), c.arm);
-    add(forces.water, along(c.normal, c.normal_impulse - c.effective_impulse), c.arm);
-    add(forces.friction, along(c.tangent(), c.tangential_impulse), c.arm);
-  }
+  const auto add_all = [&](const ContactNode& c, double sense, const Vector& arm) {
+    add(forces.normal, sense * c.effective_impulse / dt_ * c.normal, arm);
+    add(forces.water, sense * (c.normal_impulse - c.effective_impulse) / dt_ * c.normal, arm);
+    add(forces.friction, sense * c.tangential_impulse / dt_ * c.tangent(), arm);
+  };
+  for (const ContactNode& c : nodes(body))
+    add_all(c, 1.0, c.arm);
+  for_contacts_against(body, [&](std::size_t other, const ContactNode& c) {
+    add_all(c, -1.0, bodies_[body].arm(bodies_[other].centre() + c.arm));
+  });
   return forces;
+}
+
+template <class See>
+void Contact::for_contacts_against(std::size_t structure, const See& see) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (const ContactNode& c : nodes(b))
+      if (c.key.against == structure)
+        see(b, c);
+}
+
+void Contact::add_forces_of(std::size_t body, double dt, std::span<Vector> nodes,
+                            std::span<RigidLoad> bodies) const {
+  for (const ContactNode& c : this->nodes(body))
+    nodes[c.node] = nodes[c.node] + c.mass / dt * c.solid_change;
+  for_contacts_against(body, [&](std::size_t other, const ContactNode& c) {
+    if (elastic_[other])
+      nodes[c.body_node] = nodes[c.body_node] + c.body_mass / dt * c.body_change;
+    else
+      add(bodies[other], 1.0 / dt * (c.normal_impulse * c.normal + c.tangential_impulse * c.tangent()),
+          c.arm);
+  });
+  for (const CornerContact& c : corners_)
+    if (c.a == body)
+      add(bodies[c.b], 1.0 / dt * c.impulse(), c.arm_b);
+    else if (c.b == body)
+      add(bodies[c.a], -1.0 / dt * c.impulse(), c.arm_a);
 }
 
 RigidLoad Contact::load(std::size_t body) const {
@@ -130,6 +160,21 @@ void Contact::take_bodies(const Ground& ground) {
       elastic_[b].emplace(structures_[b], number, ground.sets_of_body(number), ground.finest_lattice().h);
       ++number;
     }
+  std::vector<std::vector<OtherStructure>> others(bodies_.size());
+  for (std::size_t a = 0; a < bodies_.size(); ++a)
+    for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
+      if (!elastic_[a] && !elastic_[b])
+        continue;
+      const bool first_is_met = !elastic_[b] || (elastic_[a] && area(structures_[a]) <= area(structures_[b]));
+      const std::size_t met = first_is_met ? a : b;
+      others[first_is_met ? b : a].push_back(
+          {met, elastic_[met]->number(),
+           std::min(structures_[a].friction_between, structures_[b].friction_between)});
+    }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    std::ranges::sort(others[b], {}, &OtherStructure::structure);
+    nodes_[b].meet_others(std::move(others[b]));
+  }
 }
 
 std::size_t Contact::structure_of(std::size_t elastic) const {
@@ -184,7 +229,7 @@ void Contact::refuse_coarse_cells(const Ground& ground, std::size_t body) const 
 
 void Contact::weigh(const Ground& ground, std::size_t body, double share, const RigidLoad& before) {
   RigidLoad whole = bodies_[body].load(ground.spec.gravity, water_around(ground));
-  whole.force = sum(whole.force, structure_loads_.on(body));
+  whole.force = whole.force + structure_loads_.on(body);
   const auto blend = [share](double from, double to) { return from + share * (to - from); };
   loads_[body] = {{blend(before.force.x, whole.force.x), blend(before.force.y, whole.force.y)},
                   blend(before.moment, whole.moment)};
@@ -205,7 +250,6 @@ ContactWork Contact::meet(Ground& ground, double dt) {
   for (ContactNodes& nodes : nodes_)
     nodes.take_trial(ground, dt);
   corners_ = find_corners(bodies_, structures_, 0.5 * h);
-  refuse_elastic_corners();
   solve(trial_motions(1.0, dt), dt, false);
   dt_ = dt;
 
@@ -280,8 +324,14 @@ ContactWork Contact::add_changes(Ground& ground, double dt) {
 double Contact::meet_remapped(Ground& ground) {
   Grid& grid = ground.grid;
   double power = 0.0;
+  // Power of the forces at a node on a velocity; weight and loads, in them, are booked elsewhere.
+  const auto power_on = [&](std::size_t n, const Vector& velocity, const Vector& load) {
+    const double m = grid.mass[n];
+    return dot({grid.force_x[n] - m * load.x, grid.force_y[n] + m * (ground.spec.gravity - load.y)},
+               velocity);
+  };
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    for (ContactNode& c : nodes_[b].nodes()) {
+    for (const ContactNode& c : nodes(b)) {
       if (!c.closed || c.faint)
         continue;
       const std::size_t n = c.node;
@@ -309,16 +359,13 @@ double Contact::meet_remapped(Ground& ground) {
       const Vector taken{un * c.normal.x + ut * t.x, un * c.normal.y + ut * t.y};
       grid.vx_strain[n] -= taken.x;
       grid.vy_strain[n] -= taken.y;
-      power += grid.force_x[n] * taken.x + (grid.force_y[n] + grid.mass[n] * ground.spec.gravity) * taken.y;
+      power += power_on(n, taken, c.key.against ? pull(*c.key.against) : Vector{});
       if (elastic) {
         const std::size_t m = c.body_node;
-        const Vector given{per_wall * (normal * c.normal.x + tangential * t.x),
-                           per_wall * (normal * c.normal.y + tangential * t.y)};
+        const Vector given = per_wall * (normal * c.normal + tangential * t);
         grid.vx_strain[m] += given.x;
         grid.vy_strain[m] += given.y;
-        const Vector a = pull(b);
-        power -= (grid.force_x[m] - grid.mass[m] * a.x) * given.x +
-                 (grid.force_y[m] + grid.mass[m] * (ground.spec.gravity - a.y)) * given.y;
+        power -= power_on(m, given, pull(b));
         if (ground.has_flow()) {
           grid.flux_x[m] = grid.vx_strain[m];
           grid.flux_y[m] = grid.vy_strain[m];
@@ -352,22 +399,27 @@ double Contact::move(Ground& ground, double dt) {
   return farthest;
 }
 
-// Whether nodes have been found before, then the number and the sets of each.
+// Whether nodes have been found before, then the key and the sets of each.
 std::vector<double> Contact::node_state(std::size_t body) const {
   std::vector<double> state{nodes_[body].placed() ? 1.0 : 0.0};
   for (const ContactNode& c : nodes(body))
-    state.insert(state.end(), {static_cast<double>(c.node), c.tied ? 1.0 : 0.0, static_cast<double>(c.slip)});
+    state.insert(state.end(),
+                 {c.key.against ? static_cast<double>(*c.key.against) : -1.0, static_cast<double>(c.key.row),
+                  static_cast<double>(c.key.column), c.tied ? 1.0 : 0.0, static_cast<double>(c.slip)});
   return state;
 }
 
 void Contact::set_node_state(std::size_t body, const std::vector<double>& state) {
-  constexpr std::size_t numbers = 3; // of a node
+  constexpr std::size_t numbers = 5; // of a node
   std::vector<ContactNode> nodes(state.size() / numbers);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const double* const of_node = state.data() + 1 + n * numbers;
-    nodes[n].node = static_cast<std::size_t>(of_node[0]);
-    nodes[n].tied = of_node[1] != 0.0;
-    nodes[n].slip = static_cast<int>(of_node[2]);
+    if (of_node[0] >= 0.0)
+      nodes[n].key.against = static_cast<std::size_t>(of_node[0]);
+    nodes[n].key.row = static_cast<int>(of_node[1]);
+    nodes[n].key.column = static_cast<int>(of_node[2]);
+    nodes[n].tied = of_node[3] != 0.0;
+    nodes[n].slip = static_cast<int>(of_node[4]);
   }
   nodes_[body].go_on_from(std::move(nodes), !state.empty() && state.front() != 0.0);
 }

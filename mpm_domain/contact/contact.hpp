@@ -3,9 +3,15 @@
 // The structures of a domain and what passes between them and the soil in a step: contact_nodes.hpp finds the
 // nodes, impulses/rigid_contact.hpp the impulses at all nodes of a rigid body, impulses/collisions.hpp those
 // between rigid bodies. Every node of an elastic body (elastic_body.hpp) is solved by itself, as a rigid body
-// of one node that cannot turn: with m_b the mass of the body's node, W = m_b and x = 0 there. Nodes that
-// touch several bodies and bodies that touch each other are solved in turn (impulses/solve.cpp), each with
-// the impulses of the others, until nothing changes; every solution conserves momentum.
+// of one node that cannot turn: with m_b the mass of the body's node, W = m_b and x = 0 there.
+//
+// An elastic body meets other structures as soil does: its nodes and particles stand in the place of the
+// soil's, and the other structure gives the surface. Of two elastic ones that is the larger, against whose
+// edges the smaller lies.
+//
+// Nodes at which several contacts act and bodies that touch each other are solved in turn
+// (impulses/solve.cpp), each with the impulses of the others, until nothing changes; every solution conserves
+// momentum.
 //
 // Contact acts after the grid update, and once more on the remapped velocities that strain the soil (musl):
 // there it moves no particle and no body.
@@ -104,6 +110,10 @@ public:
   /// Takes what props do to rigid bodies in the present step, by body. Their work is booked by the props.
   void take_props(std::vector<RigidLoad> loads) { of_props_ = std::move(loads); }
 
+  /// Adds what a structure does to nodes and, as a load, to rigid bodies, in the last step.
+  /// @param dt  time that the impulses of the step act for, s
+  void add_forces_of(std::size_t body, double dt, std::span<Vector> nodes, std::span<RigidLoad> bodies) const;
+
   /// A step of relaxation, after that of the grid: v+ = keep v + gain f/m.
   /// @param bonded  soil and bodies stick together, whatever that takes
   /// @param left_out  nodes that do not count, one entry a node
@@ -137,16 +147,27 @@ public:
   }
 
 private:
-  /// A node that another body touches too.
+  /// A contact at a node of the grid.
+  struct NodeUse {
+    std::size_t node;
+    std::size_t body;
+    std::size_t at; ///< its place among the contact nodes of the body
+    bool own;       ///< the node is the elastic body's own, not that of the soil
+  };
+  /// A contact node of a body whose velocities another contact changes too.
   struct SharedNode {
-    std::size_t at;    ///< its place among the nodes of the body
-    std::size_t other; ///< the other body
-    std::size_t there; ///< its place among that body's nodes
+    std::size_t at;
+    bool own;
+    NodeUse other;
   };
 
   /// Finds the contact nodes of all bodies, and their loads.
   void find_nodes(Ground& ground, bool bonded);
   void find_shared();
+  const ContactNode& node_of(const NodeUse& use) const { return nodes_[use.body].nodes()[use.at]; }
+  /// Calls see(body, node) for contacts in which a structure is the elastic one in the place of the soil.
+  template <class See>
+  void for_contacts_against(std::size_t structure, const See& see) const;
   const BodySurface& surface(std::size_t body) const {
     return elastic_[body] ? elastic_[body]->surface() : bodies_[body].surface();
   }
@@ -154,10 +175,12 @@ private:
   std::vector<RigidMotion> trial_motions(double keep, double dt) const;
   /// Finds impulses and changes of motion at all nodes, and the bodies' motions, from their trial motions.
   void solve(std::span<const RigidMotion> trial, double dt, bool bonded);
-  double solve_body(std::size_t body, const RigidMotion& trial, bool bonded);
+  /// What other contacts change at shared nodes, from one of them on: that of `next`, which is moved on.
+  ChangeByOthers by_others(std::span<const SharedNode>& next) const;
   double solve_rigid(std::size_t body, const RigidMotion& trial, bool bonded);
   double solve_elastic(std::size_t body, bool bonded);
-  void refuse_elastic_corners() const;
+  /// Root of the mean square of the speed of an elastic body's nodes before contact, m/s.
+  double node_speed(std::size_t body) const;
   /// @throws OutOfReach if a body has left the grid over a side or the base
   void refuse_beyond_grid(const Ground& ground, std::size_t body) const;
   /// @throws OutOfReach if a body has come to cells on which it does not meet soil
@@ -166,7 +189,8 @@ private:
   ContactWork book_body(const Grid& grid, std::size_t body, const RigidMotion& middle, double dt) const;
   /// A body's own part of relax().
   double relax_rigid(std::size_t body, double keep, double gain);
-  double relax_elastic(Grid& grid, std::size_t body, double gain) const;
+  /// Likewise of the nodes at which contacts act.
+  double relax_nodes(const Grid& grid, double gain, std::span<const unsigned char> left_out) const;
   std::vector<double> node_state(std::size_t body) const;
   void set_node_state(std::size_t body, const std::vector<double>& state);
 
@@ -174,7 +198,8 @@ private:
   std::vector<RigidBody> bodies_;
   std::vector<std::optional<ElasticBody>> elastic_; ///< by body
   std::vector<ContactNodes> nodes_;
-  std::vector<std::vector<SharedNode>> shared_; ///< by body
+  std::vector<NodeUse> uses_;                   ///< in the order of nodes
+  std::vector<std::vector<SharedNode>> shared_; ///< by body, in the order of its nodes
   std::vector<CornerContact> corners_;
   std::vector<RigidMotion> motions_; ///< of bodies, as found by solve()
   std::vector<Response> responses_;

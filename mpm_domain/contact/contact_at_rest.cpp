@@ -12,7 +12,6 @@ void Contact::begin_rest(Ground& ground) {
   constexpr double touching = 1e-6; // cells
   find_nodes(ground, true);
   corners_ = find_corners(bodies_, structures_, touching * ground.finest_lattice().h);
-  refuse_elastic_corners();
 }
 
 double Contact::relax(Ground& ground, double keep, double gain, bool bonded,
@@ -26,22 +25,34 @@ double Contact::relax(Ground& ground, double keep, double gain, bool bonded,
   solve(trial_motions(keep, gain), gain, bonded);
   double unbalanced = 0.0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    unbalanced += elastic_[b] ? relax_elastic(grid, b, gain) : relax_rigid(b, keep, gain);
+    if (!elastic_[b])
+      unbalanced += relax_rigid(b, keep, gain);
     for (const ContactNode& c : nodes(b)) {
       grid.vx_after[c.node] += c.solid_change.x;
       grid.vy_after[c.node] += c.solid_change.y;
+      if (c.body_mass > 0.0) {
+        grid.vx_after[c.body_node] += c.body_change.x;
+        grid.vy_after[c.body_node] += c.body_change.y;
+      }
     }
   }
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    for (const ContactNode& c : nodes(b)) {
-      if (left_out[c.node] ||
-          std::ranges::any_of(std::span(nodes_).first(b),
-                              [&](const ContactNodes& earlier) { return earlier.has(c.node); }))
-        continue; // counted already
-      const double inertia = c.mass / gain;
-      unbalanced += square({grid.force_x[c.node] + inertia * (grid.vx_after[c.node] - c.solid_trial.x),
-                            grid.force_y[c.node] + inertia * (grid.vy_after[c.node] - c.solid_trial.y)});
-    }
+  return unbalanced + relax_nodes(grid, gain, left_out);
+}
+
+double Contact::relax_nodes(const Grid& grid, double gain, std::span<const unsigned char> left_out) const {
+  double unbalanced = 0.0;
+  for (std::size_t k = 0; k < uses_.size(); ++k) {
+    const NodeUse& use = uses_[k];
+    if (k > 0 && uses_[k - 1].node == use.node)
+      continue; // counted already
+    const ContactNode& c = node_of(use);
+    const bool of_soil = !use.own && !c.key.against;
+    if (of_soil && left_out[use.node])
+      continue;
+    const double inertia = (use.own ? c.body_mass : c.mass) / gain;
+    const Vector change = grid.velocity_after(use.node) - (use.own ? c.body_trial : c.solid_trial);
+    unbalanced += square(Vector{grid.force_x[use.node], grid.force_y[use.node]} + inertia * change);
+  }
   return unbalanced;
 }
 
@@ -56,19 +67,6 @@ double Contact::relax_rigid(std::size_t body, double keep, double gain) {
   return inertia * inertia *
          (square({u.velocity.x - keep * last.velocity.x, u.velocity.y - keep * last.velocity.y}) +
           radius2 * turn * turn);
-}
-
-double Contact::relax_elastic(Grid& grid, std::size_t body, double gain) const {
-  double unbalanced = 0.0;
-  for (const ContactNode& c : nodes(body)) {
-    const std::size_t n = c.body_node;
-    const double inertia = c.body_mass / gain;
-    grid.vx_after[n] += c.body_change.x;
-    grid.vy_after[n] += c.body_change.y;
-    unbalanced +=
-        square({grid.force_x[n] + inertia * c.body_change.x, grid.force_y[n] + inertia * c.body_change.y});
-  }
-  return unbalanced;
 }
 
 void Contact::end_rest() {

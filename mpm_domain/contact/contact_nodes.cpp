@@ -37,18 +37,52 @@ bool may_lie_in(const mesh::Rectangle& box, const Ground& ground, std::size_t bl
          lattice.y0 + nodes.end_row() * lattice.h > box.y_min;
 }
 
+/// A box with a margin (m) around it.
+mesh::Rectangle widened(const mesh::Rectangle& box, double margin) {
+  return {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
+}
+
+bool lies_in(const mesh::Rectangle& box, const Particles& p, std::size_t k) {
+  return p.x[k] > box.x_min && p.x[k] < box.x_max && p.y[k] > box.y_min && p.y[k] < box.y_max;
+}
+
+/// Likewise the particles of an elastic structure.
+std::vector<NearParticle> particles_near(const Ground& ground, const mesh::Rectangle& box,
+                                         std::size_t number) {
+  std::vector<NearParticle> near;
+  for (std::size_t s = ground.soil_sets; s < ground.sets.size(); ++s)
+    if (const Particles& p = ground.sets[s]; p.body == number)
+      for (std::size_t k = 0; k < p.size(); ++k)
+        if (lies_in(box, p, k))
+          near.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
+  return near;
+}
+
 } // namespace
+
+/// What a body meets: where it lies, and what it is.
+struct ContactNodes::Meeting {
+  const BodySurface& surface;
+  const Structure& structure;
+  const BodyLattice* own;      ///< lattice of the body; null: it is rigid
+  const OtherStructure* other; ///< null: the soil
+  const Lattice& lattice;      ///< of what it meets
+  int column;                  ///< of its first node, among the nodes of the soil's finest lattice
+  int row;
+  std::span<const NearParticle> near;
+  bool bonded;
+};
 
 std::vector<NearParticle> particles_near(const Ground& ground, mesh::Rectangle box, double margin) {
   std::vector<NearParticle> near;
-  box = {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
+  box = widened(box, margin);
   for (std::size_t s = 0; s < ground.soil_sets; ++s) {
     const Particles& p = ground.sets[s];
     for (std::size_t block = 0; block + 1 < p.block_start.size(); ++block) {
       if (p.block_start[block] == p.block_start[block + 1] || !may_lie_in(box, ground, block))
         continue;
       for (std::size_t k = p.block_start[block]; k < p.block_start[block + 1]; ++k)
-        if (p.x[k] > box.x_min && p.x[k] < box.x_max && p.y[k] > box.y_min && p.y[k] < box.y_max)
+        if (lies_in(box, p, k))
           near.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
     }
   }
@@ -78,22 +112,25 @@ PushedOut push_out(Ground& ground, const BodySurface& surface, std::span<const N
 
 void ContactNodes::follow_sort(const Ground& ground, const BodySurface& surface, double margin) {
   near_ = particles_near(ground, surface.bounds(), margin);
+  for (OtherStructure& other : others_)
+    other.near = particles_near(ground, widened(surface.bounds(), margin), other.number);
 }
 
-void ContactNodes::find_touches(Ground& ground, const BodySurface& surface) {
-  touches_.assign(near_.size(), {});
+void ContactNodes::find_touches(Ground& ground, const Meeting& meeting) {
+  const std::span<const NearParticle> near = meeting.near;
+  touches_.assign(near.size(), {});
   const double h = ground.finest_lattice().h;
   const double reach = 2.0 * h;
-  const mesh::Rectangle box = surface.bounds();
+  const mesh::Rectangle box = meeting.surface.bounds();
   constexpr std::size_t part = 256;
-  ground.workers.run((near_.size() + part - 1) / part, [&](std::size_t task) {
-    for (std::size_t n = task * part; n < std::min(near_.size(), (task + 1) * part); ++n) {
-      const Particles& p = ground.sets[near_[n].set];
-      const Vector place{p.x[near_[n].index], p.y[near_[n].index]};
+  ground.workers.run((near.size() + part - 1) / part, [&](std::size_t task) {
+    for (std::size_t n = task * part; n < std::min(near.size(), (task + 1) * part); ++n) {
+      const Particles& p = ground.sets[near[n].set];
+      const Vector place{p.x[near[n].index], p.y[near[n].index]};
       if (place.x < box.x_min - reach || place.x > box.x_max + reach || place.y < box.y_min - reach ||
           place.y > box.y_max + reach)
         continue;
-      const BodySurface::Nearest nearest = surface.nearest(place);
+      const BodySurface::Nearest nearest = meeting.surface.nearest(place);
       const double reaches = nearest.corner
                                  ? p.half_size
                                  : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
@@ -102,14 +139,15 @@ void ContactNodes::find_touches(Ground& ground, const BodySurface& surface) {
   });
 }
 
-void ContactNodes::weigh_particles(const Ground& ground) {
+void ContactNodes::weigh_particles(const Ground& ground, const Meeting& meeting) {
   entries_.clear();
-  const Lattice& lattice = ground.finest_lattice();
+  const std::span<const NearParticle> near = meeting.near;
+  const Lattice& lattice = meeting.lattice;
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
-  for (std::size_t n = 0; n < near_.size(); ++n) {
-    const Particles& p = ground.sets[near_[n].set];
-    const std::size_t k = near_[n].index;
+  for (std::size_t n = 0; n < near.size(); ++n) {
+    const Particles& p = ground.sets[near[n].set];
+    const std::size_t k = near[n].index;
     const double l = std::min(p.half_size, lattice.h);
     const Weights wx = cell_weights(p.x[k], x_axis, l);
     const Weights wy = cell_weights(p.y[k], y_axis, l);
@@ -127,18 +165,19 @@ void ContactNodes::weigh_particles(const Ground& ground) {
   }
 }
 
-void ContactNodes::sum_particles(const Ground& ground, const Structure& structure) {
+void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
+  const Structure& structure = meeting.structure;
   sums_.assign(window_.count(), {});
   for (const Entry& entry : entries_)
     sums_[entry.place].least_gap = std::min(sums_[entry.place].least_gap, touches_[entry.near].gap);
   for (const auto& [n, place, vs, gradient] : entries_) {
-    const Particles& p = ground.sets[near_[n].set];
-    const std::size_t k = near_[n].index;
+    const Particles& p = ground.sets[meeting.near[n].set];
+    const std::size_t k = meeting.near[n].index;
     Sums& sums = sums_[place];
     sums.gradient = {sums.gradient.x + gradient.x, sums.gradient.y + gradient.y};
     sums.volume += vs;
-    sums.friction += vs * structure.friction[p.soil_index];
-    sums.adhesion += vs * structure.adhesion[p.soil_index];
+    sums.friction += vs * (meeting.other ? meeting.other->friction : structure.friction[p.soil_index]);
+    sums.adhesion += meeting.other ? 0.0 : vs * structure.adhesion[p.soil_index];
     if (const Touch& touch = touches_[n]; std::isfinite(touch.gap) && !touch.corner &&
                                           touch.gap <= sums.least_gap + surface_layer * 2.0 * p.half_size) {
       sums.surface += vs;
@@ -160,18 +199,35 @@ void ContactNodes::sum_particles(const Ground& ground, const Structure& structur
 
 void ContactNodes::find(Ground& ground, const BodySurface& surface, const Vector& centre,
                         const Structure& structure, const BodyLattice* own, bool bonded) {
-  const Lattice& lattice = ground.finest_lattice();
+  const std::vector<ContactNode> before = std::move(nodes_);
+  nodes_.clear();
+  of_nodes_.clear();
+  find_nodes(ground, {surface, structure, own, nullptr, ground.finest_lattice(), 0, 0, near_, bonded},
+             before);
+  for (const OtherStructure& other : others_)
+    if (!other.near.empty()) {
+      const BodyLattice& its = ground.bodies[other.number];
+      find_nodes(ground,
+                 {surface, structure, own, &other, its.lattice, its.column, its.row, other.near, bonded},
+                 before);
+    }
+  placed_ = true;
+  for (ContactNode& c : nodes_)
+    c.arm = {c.place.x - centre.x, c.place.y - centre.y};
+  if (own == nullptr)
+    bear_on(surface, centre, ground.finest_lattice().h);
+}
+
+void ContactNodes::find_nodes(Ground& ground, const Meeting& meeting, std::span<const ContactNode> before) {
+  const auto& [surface, structure, own, other, lattice, column, row, near, bonded] = meeting;
   const Grid& grid = ground.grid;
   window_ = nodes_around(lattice, surface.bounds());
   find_wall(surface, lattice, window_, wall_);
-  find_touches(ground, surface);
-  weigh_particles(ground);
-  sum_particles(ground, structure);
+  find_touches(ground, meeting);
+  weigh_particles(ground, meeting);
+  sum_particles(ground, meeting);
   const double empty = empty_mass(ground);
   const ContactGaps& gaps = ground.spec.gaps;
-  std::vector<ContactNode> before = std::move(nodes_);
-  nodes_.clear();
-  of_nodes_.clear();
   auto known = before.begin();
   for (int j = window_.j0; j < window_.j0 + window_.rows; ++j)
     for (int i = window_.i0; i < window_.i0 + window_.columns; ++i) {
@@ -188,22 +244,24 @@ void ContactNodes::find(Ground& ground, const BodySurface& surface, const Vector
       const bool of_soil = length(sums.gradient) > 0.0;
       if (!at_edge && !of_soil)
         continue;
-      const std::optional<std::size_t> body_node = own != nullptr ? own->node_at(i, j) : std::nullopt;
+      const std::optional<std::size_t> body_node =
+          own != nullptr ? own->node_at(column + i, row + j) : std::nullopt;
       if (own != nullptr && !(body_node && grid.mass[*body_node] > empty))
         continue;
       // The search for the sets begins with those of the last step.
-      while (known != before.end() && known->node < node)
+      const NodeKey key{other ? std::optional(other->structure) : std::nullopt, row + j, column + i};
+      while (known != before.end() && known->key < key)
         ++known;
       ContactNode& found = nodes_.emplace_back();
       bool was_tied = !placed_; // structures are wished in place
-      if (known != before.end() && known->node == node) {
+      if (known != before.end() && known->key == key) {
         found.tied = known->tied;
         found.slip = known->slip;
         was_tied = known->tied;
       }
+      found.key = key;
       found.node = node;
       found.place = place;
-      found.arm = {place.x - centre.x, place.y - centre.y};
       if (body_node) {
         found.body_node = *body_node;
         found.body_mass = grid.mass[*body_node];
@@ -221,26 +279,23 @@ void ContactNodes::find(Ground& ground, const BodySurface& surface, const Vector
       found.closed = found.gap <= (was_tied ? opening : gaps.closing) * lattice.h;
       of_nodes_.push_back(sums);
     }
-  placed_ = true;
-  if (own == nullptr)
-    bear_on(surface, centre, lattice.h);
 }
 
-void ContactNode::set_trial(const Vector& solid_by_others, const Vector& water_by_others) {
-  const Vector solid{solid_trial.x + solid_by_others.x, solid_trial.y + solid_by_others.y};
-  const Vector water{water_trial.x + water_by_others.x, water_trial.y + water_by_others.y};
+void ContactNode::set_trial(const ChangeByOthers& others) {
+  const Vector solid = solid_trial + others.solid;
+  const Vector water = water_trial + others.water;
+  body_velocity = body_trial + others.body;
   solid_normal = dot(normal, solid);
   water_normal = dot(normal, water);
   normal_speed = (solid_mass * solid_normal + water_mass * water_normal) / mass;
   slip_speed = dot(tangent(), solid);
-  water_impulse =
-      free_impulse + full_water * dot(normal, water_mass > 0.0 ? water_by_others : solid_by_others);
+  water_impulse = free_impulse + full_water * dot(normal, water_mass > 0.0 ? others.water : others.solid);
 }
 
 void ContactNode::solve_alone(bool bonded) {
-  const double wall = dot(normal, body_trial);
+  const double wall = dot(normal, body_velocity);
   const double closing = normal_speed - wall;
-  const double sliding = slip_speed - dot(tangent(), body_trial);
+  const double sliding = slip_speed - dot(tangent(), body_velocity);
   const double push = mass * body_mass / (mass + body_mass) * closing;
   const double water = water_impulse - full_water * (wall + push / body_mass);
   tied = closed && (bonded || push > 0.0 || (wet() && water > least_water));
@@ -318,7 +373,7 @@ void ContactNodes::take_trial(const Ground& ground, double dt) {
     c.tangential = c.mass / (1.0 + c.water_mass / c.solid_mass / c.drag);
     c.least_water = sums.wet > 0.0 ? sums.suction / sums.wet * c.area * dt : 0.0;
     c.adhesion = sums.adhesion / sums.volume * c.area * dt;
-    c.set_trial({}, {});
+    c.set_trial({});
   }
 }
 
@@ -331,7 +386,7 @@ void ContactNodes::take_relaxing(const Ground& ground, double dt) {
     if (c.body_mass > 0.0)
       c.body_trial = grid.velocity_after(c.body_node);
     c.adhesion = of_nodes_[n].adhesion / of_nodes_[n].volume * c.area * dt;
-    c.set_trial({}, {});
+    c.set_trial({});
   }
 }
 

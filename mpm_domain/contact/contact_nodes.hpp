@@ -5,6 +5,9 @@
 // an edge of it, they meet also at faint nodes, to which its surface reaches a little: what these pass on is
 // as little, but left alone they would part from the body. Its strain there is its own, though.
 //
+// What stands for soil here may be another elastic body, with its particles and its lattice: so bodies meet
+// each other.
+//
 // What contact asks of the soil is summed over the particles near the body,
 //
 //     g = sum V grad S,      volume = sum V S,      friction = sum V S mu / volume.
@@ -27,9 +30,10 @@
 #include "mpm_domain/contact/impulses/rigid_contact.hpp"
 #include "mpm_domain/contact/wall_nodes.hpp"
 
-#include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,8 +43,23 @@ namespace tremolo::mpm_domain {
 struct BodyLattice;
 struct Ground;
 
+/// What a contact node keeps from step to step while lattices move.
+struct NodeKey {
+  std::optional<std::size_t> against; ///< the elastic structure in the place of the soil; none: soil
+  int row = 0;                        ///< among the nodes of the soil's finest lattice
+  int column = 0;
+
+  auto operator<=>(const NodeKey&) const = default;
+};
+
+/// A change of velocities at a node by the other contacts that act there, m/s.
+struct ChangeByOthers {
+  Vector solid, water, body;
+};
+
 struct ContactNode : ContactPoint {
-  std::size_t node = 0;
+  NodeKey key;
+  std::size_t node = 0; ///< of the soil, or of the elastic structure in its place
   Vector place;
   double area = 0.0;                ///< A, of the interface per metre out of plane, m
   double gap = 0.0;                 ///< m; negative: they overlap
@@ -57,10 +76,11 @@ struct ContactNode : ContactPoint {
   bool faint = false;                ///< the surface of an elastic body reaches it a little
   double body_mass = 0.0;            ///< m_b there, kg/m; 0: the body is rigid
   Vector body_before, body_trial;    ///< its velocity before the update and after it, m/s
+  Vector body_velocity;              ///< that the impulses start from, m/s
   Vector body_change;                ///< by the impulses found
 
-  /// Takes trial velocities that differ from those of the update by what other bodies have changed.
-  void set_trial(const Vector& solid_by_others, const Vector& water_by_others);
+  /// Takes trial velocities that differ from those of the update by what other contacts have changed.
+  void set_trial(const ChangeByOthers& others);
   /// Whether what its tangential impulse does is sliding. A node of an elastic body that sticks may begin its
   /// step with a velocity other than the soil's, by the transfer from particles; to end that is impact.
   bool rubs() const { return body_mass == 0.0 || slip != 0; }
@@ -82,6 +102,14 @@ struct NearParticle {
 /// The particles of the soil in a box with a margin (m) around it.
 std::vector<NearParticle> particles_near(const Ground& ground, mesh::Rectangle box, double margin);
 
+/// An elastic structure that meets a body as the soil does.
+struct OtherStructure {
+  std::size_t structure = 0;
+  std::size_t number = 0;           ///< among the elastic ones
+  double friction = 0.0;            ///< between both
+  std::vector<NearParticle> near{}; ///< its particles near the body, until the next sort
+};
+
 /// Particles that were brought back out of a body.
 struct PushedOut {
   double farthest = 0.0; ///< the longest way back of one of them, m
@@ -94,6 +122,9 @@ PushedOut push_out(Ground& ground, const BodySurface& surface, std::span<const N
 /// The particles that may come to touch a body, and what of it is found anew in every step.
 class ContactNodes {
 public:
+  /// Lets the body meet elastic structures besides the soil, in the order of their numbers.
+  void meet_others(std::vector<OtherStructure> others) { others_ = std::move(others); }
+
   /// Takes the particles near the body until the next sort.
   void follow_sort(const Ground& ground, const BodySurface& surface, double margin);
 
@@ -121,9 +152,7 @@ public:
     placed_ = placed;
   }
   const std::vector<ContactNode>& nodes() const { return nodes_; }
-  bool has(std::size_t node) const {
-    return std::ranges::binary_search(nodes_, node, {}, &ContactNode::node);
-  }
+  /// Particles of the soil near the body.
   const std::vector<NearParticle>& near() const { return near_; }
 
 private:
@@ -158,14 +187,18 @@ private:
     Vector gradient; ///< V grad S, m
   };
 
-  void find_touches(Ground& ground, const BodySurface& surface);
-  void weigh_particles(const Ground& ground);
-  void sum_particles(const Ground& ground, const Structure& structure);
+  /// Finds the nodes at which the body meets what lies on a lattice: the soil, or another structure.
+  struct Meeting;
+  void find_nodes(Ground& ground, const Meeting& meeting, std::span<const ContactNode> before);
+  void find_touches(Ground& ground, const Meeting& meeting);
+  void weigh_particles(const Ground& ground, const Meeting& meeting);
+  void sum_particles(const Ground& ground, const Meeting& meeting);
   /// Finds the arms of the nodes of a rigid body (bearing.cpp).
   void bear_on(const BodySurface& surface, const Vector& centre, double h);
 
   std::vector<NearParticle> near_;
-  std::vector<Touch> touches_; ///< by near particle
+  std::vector<OtherStructure> others_;
+  std::vector<Touch> touches_; ///< by near particle of one meeting
   std::vector<Entry> entries_; ///< by near particle
   NodeWindow window_;
   std::vector<double> wall_; ///< L_I

@@ -130,17 +130,18 @@ std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, co
   return lacking;
 }
 
-std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after) {
-  std::vector<RigidLoad> of_removed_props(before.contact.bodies().size());
-  before.props.add_loads_of_removed(before, before.contact, after.props, of_removed_props);
-  const auto with_props = [&](std::size_t body) {
+std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after,
+                                      std::span<const RigidLoad> of_going) {
+  std::vector<RigidLoad> gone(of_going.begin(), of_going.end());
+  before.props.add_loads_of_removed(before, before.contact, after.props, gone);
+  const auto with_gone = [&](std::size_t body) {
     const RigidLoad& own = before.contact.weight(body);
-    return RigidLoad{own.force + of_removed_props[body].force, own.moment + of_removed_props[body].moment};
+    return RigidLoad{own.force + gone[body].force, own.moment + gone[body].moment};
   };
   std::vector<RigidLoad> weights;
   for (const RigidBody& body : after.contact.bodies()) {
     const auto former = structure_of(before, body.name());
-    weights.push_back(former ? with_props(*former) : RigidLoad{});
+    weights.push_back(former ? with_gone(*former) : RigidLoad{});
   }
   return weights;
 }

@@ -20,6 +20,7 @@
 #include "mpm_domain/domain.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -36,8 +37,10 @@ std::vector<std::size_t> removed_structures(const Domain& before, const std::vec
 std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, const std::vector<Vector>& f0,
                                    const std::vector<Vector>& f1);
 
-/// Weight and buoyancy, in the model before, of the structures of the one after, with what props that go did
-/// to them; none of one that is placed.
-std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after);
+/// Weight and buoyancy, in the model before, of the structures of the one after, with what props and
+/// structures that go did to them; none of one that is placed.
+/// @param of_going  what structures that go did, by body of the model before
+std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after,
+                                      std::span<const RigidLoad> of_going);
 
 } // namespace tremolo::mpm_domain

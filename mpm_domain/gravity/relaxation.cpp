@@ -294,13 +294,6 @@ void Relaxation::take_way_as_displacement() {
     std::ranges::fill(*field, 0.0);
 }
 
-void Relaxation::add_contact_forces(std::size_t structure, std::vector<Vector>& to) const {
-  for (const ContactNode& c : domain_.contact.nodes(structure)) {
-    to[c.node].x += c.mass / kick() * c.solid_change.x;
-    to[c.node].y += c.mass / kick() * c.solid_change.y;
-  }
-}
-
 Reactions Relaxation::reactions() const {
   Reactions reactions = held_by_;
   reactions.force.assign(domain_.grid.size(), Vector{});

@@ -55,14 +55,13 @@ public:
   Relaxed run(const Course& course, const GravityProgress& progress);
   /// Length of a step of the last course, s.
   double step() const { return dt_; }
+  /// Time that forces act for in it, with the damping, s.
+  double kick() const { return dt_ / (1.0 + 0.5 * alpha_ * dt_); }
   /// From now on the way that soil goes counts as displacement.
   void count_way();
 
   /// How far the rigid structures have gone since.
   const std::vector<StructureWay>& structure_ways() const { return structure_ways_; }
-
-  /// What a structure presses onto the nodes of the soil at the end of the last course, N/m.
-  void add_contact_forces(std::size_t structure, std::vector<Vector>& to) const;
 
   /// Gives laws and damping back what they have lost, and particles their displacement.
   void finish();
@@ -85,7 +84,6 @@ private:
   void strain(bool undrained);
   void add_way();
   void take_way_as_displacement();
-  double kick() const { return dt_ / (1.0 + 0.5 * alpha_ * dt_); }
 
   Domain& domain_;
   std::vector<materials::Law> laws_;  ///< by set, with their softening

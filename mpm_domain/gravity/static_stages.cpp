@@ -178,7 +178,7 @@ void StaticStages::go(const ConstructionSettings& construction) {
   relaxation_->hold(lacking_forces(before, *model_, forces_, relaxation_->forces()));
   Course course = course_of(construction);
   course.bonded = true;
-  const std::vector<RigidLoad> weights = weights_before(before, *model_);
+  const std::vector<RigidLoad> weights = weights_before(before, *model_, of_going_);
   course.grow = [&](double share) {
     for (std::size_t b = 0; b < weights.size(); ++b)
       model_->contact.weigh(*model_, b, share, weights[b]);
@@ -195,8 +195,9 @@ void StaticStages::end_stage() {
   reactions_ = relaxation_->reactions();
   forces_ = relaxation_->forces();
   ++over_;
+  of_going_.assign(model_->contact.bodies().size(), {});
   for (const std::size_t structure : structures_that_go())
-    relaxation_->add_contact_forces(structure, forces_);
+    model_->contact.add_forces_of(structure, relaxation_->kick(), forces_, of_going_);
   ways_ = ways();
   model_->props.lock();
   relaxation_->finish();
@@ -326,6 +327,12 @@ void StaticStages::take_forces(const std::vector<double>& numbers) {
   forces_.clear();
   for (std::size_t n = 0; n < numbers.size(); n += 2)
     forces_.push_back({numbers[n], numbers[n + 1]});
+}
+
+void StaticStages::take_loads(const std::vector<double>& numbers) {
+  of_going_.clear();
+  for (std::size_t n = 0; n < numbers.size(); n += 3)
+    of_going_.push_back({{numbers[n], numbers[n + 1]}, numbers[n + 2]});
 }
 
 void StaticStages::take_ways(const std::vector<double>& numbers) {

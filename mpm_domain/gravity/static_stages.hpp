@@ -61,6 +61,10 @@ public:
       numbers.insert(numbers.end(), {force.x, force.y});
     to.write("static.forces", numbers);
     numbers.clear();
+    for (const RigidLoad& load : of_going_)
+      numbers.insert(numbers.end(), {load.force.x, load.force.y, load.moment});
+    to.write("static.loads", numbers);
+    numbers.clear();
     for (const StructureWay& structure : ways_)
       numbers.insert(numbers.end(), {structure.way.x, structure.way.y, structure.turn});
     to.write("static.ways", numbers);
@@ -77,6 +81,7 @@ public:
     mpm_domain::restore(*model_, from);
     act_with_loads(over_ - 1);
     take_forces(numbers_of_size(from, "static.forces", 2 * model_->grid.size()));
+    take_loads(numbers_of_size(from, "static.loads", 3 * model_->contact.bodies().size()));
     ways_ = no_ways();
     take_ways(numbers_of_size(from, "static.ways", numbers_of_way * ways_.size()));
   }
@@ -113,6 +118,7 @@ private:
   std::vector<StructureWay> ways() const;
   std::vector<StructureWay> no_ways() const;
   void take_forces(const std::vector<double>& numbers);
+  void take_loads(const std::vector<double>& numbers);
   void take_ways(const std::vector<double>& numbers);
 
   Domain& end_;
@@ -122,8 +128,10 @@ private:
   std::size_t over_ = 0;
   std::shared_ptr<Domain> own_; ///< the present model; null: it is that of the end
   Domain* model_ = nullptr;
-  bool disturbed_ = false;         ///< the last stage has left an excess pressure
-  std::vector<Vector> forces_;     ///< f0, N/m
+  bool disturbed_ = false;     ///< the last stage has left an excess pressure
+  std::vector<Vector> forces_; ///< f0, N/m
+  /// What structures that go do to the rigid ones of the present model, at the end of the last stage.
+  std::vector<RigidLoad> of_going_;
   std::vector<StructureWay> ways_; ///< of the rigid structures of the present model; none after gravity alone
   Reactions reactions_;            ///< of the last stage
 

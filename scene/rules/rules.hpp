@@ -54,7 +54,6 @@ void structures_are_wide(const Case& scene, Findings& findings);
 void structures_lie_on_finest_level(const Case& scene, Findings& findings);
 void structures_touch_soil(const Case& scene, Findings& findings);
 void structures_have_weight(const Case& scene, Findings& findings);
-void elastic_structures_are_alone(const Case& scene, Findings& findings);
 void elastic_structures_suit_water(const Case& scene, Findings& findings);
 void structures_suit_time_stepping(const Case& scene, Findings& findings);
 void sections_have_names(const Case& scene, Findings& findings);

@@ -52,6 +52,8 @@ std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies,
   std::vector<CornerContact> corners;
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+      if (structures[a].stiffness || structures[b].stiffness)
+        continue; // meets at nodes
       const double of_both = std::min(structures[a].friction_between, structures[b].friction_between);
       find_corners(bodies, a, b, of_both, distance, corners);
       find_corners(bodies, b, a, of_both, distance, corners);

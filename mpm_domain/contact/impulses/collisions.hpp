@@ -32,7 +32,7 @@ struct CornerContact {
   }
 };
 
-/// The corners of all pairs of bodies that are closer to the other body than a distance (m).
+/// The corners of all pairs of rigid bodies that are closer to the other body than a distance (m).
 /// @param structures  of the bodies; of the frictions of two the smaller counts
 std::vector<CornerContact> find_corners(std::span<const RigidBody> bodies,
                                         std::span<const Structure> structures, double distance);

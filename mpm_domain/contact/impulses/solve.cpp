@@ -3,22 +3,11 @@
 
 #include "mpm_domain/contact/contact.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <utility>
+#include <tuple>
 
 namespace tremolo::mpm_domain {
-
-namespace {
-
-Vector added(const Vector& a, const Vector& b) {
-  return {a.x + b.x, a.y + b.y};
-}
-
-} // namespace
 
 std::vector<RigidMotion> Contact::trial_motions(double keep, double dt) const {
   std::vector<RigidMotion> trial;
@@ -34,39 +23,54 @@ std::vector<RigidMotion> Contact::trial_motions(double keep, double dt) const {
 }
 
 void Contact::find_shared() {
+  uses_.clear();
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (std::size_t n = 0; n < nodes(b).size(); ++n) {
+      const ContactNode& c = nodes(b)[n];
+      uses_.push_back({c.node, b, n, false});
+      if (c.body_mass > 0.0)
+        uses_.push_back({c.body_node, b, n, true});
+    }
+  std::ranges::sort(uses_, {},
+                    [](const NodeUse& use) { return std::tuple(use.node, use.body, use.at, use.own); });
   for (std::vector<SharedNode>& of_body : shared_)
     of_body.clear();
-  for (std::size_t a = 0; a < bodies_.size(); ++a)
-    for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
-      const std::vector<ContactNode>& of_a = nodes(a);
-      const std::vector<ContactNode>& of_b = nodes(b);
-      for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
-        if (of_a[i].node == of_b[j].node) {
-          shared_[a].push_back({i, b, j});
-          shared_[b].push_back({j, a, i});
-        }
-        of_a[i].node < of_b[j].node ? ++i : ++j;
-      }
-    }
-}
-
-/// One body with the impulses of the others; returns by how much its motion has changed, m/s.
-double Contact::solve_body(std::size_t body, const RigidMotion& trial, bool bonded) {
-  std::vector<ContactNode>& nodes = nodes_[body].nodes();
-  std::vector<std::pair<Vector, Vector>> by_others(shared_[body].empty() ? 0 : nodes.size());
-  for (const SharedNode& shared : shared_[body]) {
-    const ContactNode& there = nodes_[shared.other].nodes()[shared.there];
-    by_others[shared.at].first = added(by_others[shared.at].first, there.solid_change);
-    by_others[shared.at].second = added(by_others[shared.at].second, there.water_change);
+  for (std::size_t first = 0, end = 0; first < uses_.size(); first = end) {
+    while (end < uses_.size() && uses_[end].node == uses_[first].node)
+      ++end;
+    for (std::size_t one = first; one < end; ++one)
+      for (std::size_t other = first; other < end; ++other)
+        if (one != other)
+          shared_[uses_[one].body].push_back({uses_[one].at, uses_[one].own, uses_[other]});
   }
-  for (std::size_t n = 0; n < by_others.size(); ++n)
-    nodes[n].set_trial(by_others[n].first, by_others[n].second);
-  return elastic_[body] ? solve_elastic(body, bonded) : solve_rigid(body, trial, bonded);
+  for (std::vector<SharedNode>& of_body : shared_)
+    std::ranges::stable_sort(of_body, {}, &SharedNode::at);
 }
 
+ChangeByOthers Contact::by_others(std::span<const SharedNode>& next) const {
+  ChangeByOthers sum;
+  for (const std::size_t at = next.front().at; !next.empty() && next.front().at == at;
+       next = next.subspan(1)) {
+    const ContactNode& there = node_of(next.front().other);
+    const Vector& change = next.front().other.own ? there.body_change : there.solid_change;
+    if (next.front().own) {
+      sum.body = sum.body + change;
+      continue;
+    }
+    sum.solid = sum.solid + change;
+    sum.water = sum.water + there.water_change;
+  }
+  return sum;
+}
+
+/// One body with the impulses of all other contacts; returns by how much its motion has changed, m/s.
 double Contact::solve_rigid(std::size_t body, const RigidMotion& trial, bool bonded) {
   const RigidBody& b = bodies_[body];
   std::vector<ContactNode>& nodes = nodes_[body].nodes();
+  for (std::span<const SharedNode> next = shared_[body]; !next.empty();) {
+    ContactNode& shared = nodes[next.front().at];
+    shared.set_trial(by_others(next));
+  }
   std::vector<ContactPoint> points(nodes.begin(), nodes.end());
   const ContactSolution found = solve_contact(b.mass(), b.inertia(), trial, points, bonded);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -82,9 +86,15 @@ double Contact::solve_rigid(std::size_t body, const RigidMotion& trial, bool bon
                    size * std::abs(found.motion.spin - last.spin)});
 }
 
+/// Likewise, node by node: two contacts may act at one node of the body itself.
 double Contact::solve_elastic(std::size_t body, bool bonded) {
   double most = 0.0;
-  for (ContactNode& c : nodes_[body].nodes()) {
+  std::vector<ContactNode>& nodes = nodes_[body].nodes();
+  std::span<const SharedNode> next = shared_[body];
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    ContactNode& c = nodes[n];
+    if (!next.empty() && next.front().at == n)
+      c.set_trial(by_others(next));
     const Vector last = c.body_change;
     c.solve_alone(bonded);
     most = std::max(most, std::hypot(c.body_change.x - last.x, c.body_change.y - last.y));
@@ -92,13 +102,14 @@ double Contact::solve_elastic(std::size_t body, bool bonded) {
   return most;
 }
 
-void Contact::refuse_elastic_corners() const {
-  for (const CornerContact& c : corners_)
-    if (elastic_[c.a] || elastic_[c.b])
-      throw std::runtime_error(fmt::format(
-          "structures '{}' and '{}' have come within half a cell of each other: elastic structures "
-          "touch soil alone; two that may meet must be rigid",
-          bodies_[std::min(c.a, c.b)].name(), bodies_[std::max(c.a, c.b)].name()));
+double Contact::node_speed(std::size_t body) const {
+  double mass = 0.0;
+  double twice_energy = 0.0;
+  for (const ContactNode& c : nodes(body)) {
+    mass += c.body_mass;
+    twice_energy += c.body_mass * square(c.body_velocity);
+  }
+  return mass > 0.0 ? std::sqrt(twice_energy / mass) : 0.0;
 }
 
 // The sweeps begin with the changes that nodes have: none where they have just been found, those of the last
@@ -117,16 +128,16 @@ void Contact::solve(std::span<const RigidMotion> trial, double dt, bool bonded) 
       const auto push = [&](std::size_t body, const Vector& arm, double sense) {
         const RigidBody& b = bodies_[body];
         const Vector j = c.impulse();
-        pushed[body].velocity =
-            added(pushed[body].velocity, {sense * j.x / b.mass(), sense * j.y / b.mass()});
+        pushed[body].velocity = pushed[body].velocity + sense / b.mass() * j;
         pushed[body].spin += sense * cross(arm, j) / b.inertia();
       };
       push(c.a, c.arm_a, -1.0);
       push(c.b, c.arm_b, 1.0);
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      change = std::max(change, solve_body(b, pushed[b], bonded));
-      speed = std::max(speed, std::hypot(motions_[b].velocity.x, motions_[b].velocity.y));
+      change = std::max(change, elastic_[b] ? solve_elastic(b, bonded) : solve_rigid(b, pushed[b], bonded));
+      speed = std::max(speed, elastic_[b] ? node_speed(b)
+                                          : std::hypot(motions_[b].velocity.x, motions_[b].velocity.y));
     }
     if (alone)
       return;

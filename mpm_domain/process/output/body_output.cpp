@@ -164,15 +164,20 @@ void BodyOutput::after_step(const Stepper& stepper) {
 ContactFrame BodyOutput::contact(const Stepper& stepper) const {
   const double dt = stepper.kick();
   ContactFrame frame;
+  const auto add = [&](const ContactNode& node, std::size_t body, const Vector& normal) {
+    frame.position.insert(frame.position.end(), {node.place.x, node.place.y});
+    frame.normal.insert(frame.normal.end(), {normal.x, normal.y});
+    frame.body.push_back(static_cast<std::int32_t>(body));
+    frame.area.push_back(node.area);
+    frame.normal_force.push_back(node.effective_impulse / dt);
+    frame.friction_force.push_back(node.tangential_impulse / dt);
+    frame.water_force.push_back((node.normal_impulse - node.effective_impulse) / dt);
+  };
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (const ContactNode& node : domain_.contact.nodes(b)) {
-      frame.position.insert(frame.position.end(), {node.place.x, node.place.y});
-      frame.normal.insert(frame.normal.end(), {node.normal.x, node.normal.y});
-      frame.body.push_back(static_cast<std::int32_t>(b));
-      frame.area.push_back(node.area);
-      frame.normal_force.push_back(node.effective_impulse / dt);
-      frame.friction_force.push_back(node.tangential_impulse / dt);
-      frame.water_force.push_back((node.normal_impulse - node.effective_impulse) / dt);
+      add(node, b, node.normal);
+      if (node.key.against) // the other structure gets the opposite
+        add(node, *node.key.against, -1.0 * node.normal);
     }
   return frame;
 }

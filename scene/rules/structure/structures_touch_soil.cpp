@@ -21,7 +21,7 @@ bool meet(const Polygon& one, const Polygon& other) {
   return corner_in(one, other) || corner_in(other, one);
 }
 
-/// Which structures touch soil, and which rigid ones stand on others that do.
+/// Which structures touch soil, and which stand on others that do.
 std::vector<bool> structures_with_support(const Case& scene) {
   std::vector<bool> supported;
   for (std::size_t i = 0; i < scene.structures.size(); ++i)
@@ -30,8 +30,7 @@ std::vector<bool> structures_with_support(const Case& scene) {
     for (std::size_t i = 0; i < supported.size(); ++i)
       for (std::size_t j = 0; j < supported.size() && !supported[i]; ++j) {
         const auto& [one, other] = std::tie(scene.structures[i], scene.structures[j]);
-        if (supported[j] && !one.stiffness && !other.stiffness &&
-            meet(one.outline.corners, other.outline.corners))
+        if (supported[j] && meet(one.outline.corners, other.outline.corners))
           supported[i] = grows = true;
       }
   return supported;
@@ -52,8 +51,8 @@ void structures_touch_soil(const Case& scene, Findings& findings) {
     if (!supported[i])
       findings.add(
           outline_path(scene, i),
-          fmt::format("'{}' touches no soil: a structure stands on or in a [[region]], or a rigid one on "
-                      "another rigid one that does",
+          fmt::format("'{}' touches no soil: a structure stands on or in a [[region]], or on another "
+                      "one that does",
                       scene.structures[i].outline.key));
 }
 

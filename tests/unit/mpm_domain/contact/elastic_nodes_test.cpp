@@ -106,7 +106,7 @@ TEST(DryElasticNode, PassesOnNoMoreThanAnAllButEmptyNodeHas) {
   c.solid_trial = c.water_trial = {-3.1e-9, 2.3e-10};
   c.body_trial = {-1.6e8, 3e7};
   c.friction = 0.4;
-  c.set_trial({}, {});
+  c.set_trial({});
   const Pair pair(c);
   EXPECT_NEAR(pair.node.normal_impulse, 5e-18 * 1.6e8, 1e-12 * 8e-10);
   EXPECT_NEAR(pair.solid.x, c.solid_trial.x, 1e-11);
@@ -127,7 +127,7 @@ TEST(DryElasticNode, KnowsNoLabelsAndIsDoneAtOnce) {
     other.solid_trial = other.water_trial = pair.node.body_trial;
     other.body_trial = pair.node.solid_trial;
     other.normal = {-pair.node.normal.x, -pair.node.normal.y};
-    other.set_trial({}, {});
+    other.set_trial({});
     const Pair swapped(other);
     ASSERT_NEAR(swapped.solid.x, pair.body.x, 1e-8);
     ASSERT_NEAR(swapped.solid.y, pair.body.y, 1e-8);
@@ -136,7 +136,7 @@ TEST(DryElasticNode, KnowsNoLabelsAndIsDoneAtOnce) {
     ContactNode again = pair.node;
     again.solid_trial = again.water_trial = pair.solid;
     again.body_trial = pair.body;
-    again.set_trial({}, {});
+    again.set_trial({});
     if (pair.node.slip != 0)
       continue; // it slides on: without N there is no friction
     const Pair done(again);

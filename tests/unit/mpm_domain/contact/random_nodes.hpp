@@ -47,7 +47,7 @@ inline ContactNode random_node(Draw& draw, bool wet, double least_mass, double m
   c.mass = c.solid_mass + c.water_mass;
   c.tangential = c.mass / (1.0 + c.water_mass / c.solid_mass / c.drag);
   c.friction = draw.between(0.0, 1.0);
-  c.set_trial({}, {});
+  c.set_trial({});
   return c;
 }
 

@@ -123,7 +123,7 @@ TEST_P(OneNode, LosesTheEnergyOfTheNormalRatesAndOfSliding) {
     const double along = dot(t, c.solid_trial);
     const double across = dot(c.normal, c.water_trial);
     c.water_trial = {across * c.normal.x + along * t.x, across * c.normal.y + along * t.y};
-    c.set_trial({}, {});
+    c.set_trial({});
     const Body body = random_body(draw);
     const Totals t0 = before(body, nodes);
     const double of_solid = dot(c.normal, c.solid_trial);
@@ -158,7 +158,7 @@ TEST_P(OneNode, DoesNotCareForTheObserverNorForASecondTime) {
     m.free_impulse += m.full_water * dot(m.normal, drift);
     m.solid_trial = {m.solid_trial.x + drift.x, m.solid_trial.y + drift.y};
     m.water_trial = {m.water_trial.x + drift.x, m.water_trial.y + drift.y};
-    m.set_trial({}, {});
+    m.set_trial({});
     Body moving = body;
     moving.motion.velocity = {body.motion.velocity.x + drift.x, body.motion.velocity.y + drift.y};
     const Outcome seen = meet(moving, moved);
@@ -176,7 +176,7 @@ TEST_P(OneNode, DoesNotCareForTheObserverNorForASecondTime) {
     r.arm = turn(r.arm);
     r.solid_trial = turn(r.solid_trial);
     r.water_trial = turn(r.water_trial);
-    r.set_trial({}, {});
+    r.set_trial({});
     const Body spun{body.mass, body.inertia, {turn(body.motion.velocity), body.motion.spin}};
     const Outcome other = meet(spun, turned);
     const Vector expected = turn(now.solid.front());
@@ -189,7 +189,7 @@ TEST_P(OneNode, DoesNotCareForTheObserverNorForASecondTime) {
       continue;
     std::vector<ContactNode> again = nodes;
     again.front().solid_trial = now.solid.front();
-    again.front().set_trial({}, {});
+    again.front().set_trial({});
     const Outcome twice = meet({body.mass, body.inertia, now.motion}, again);
     ASSERT_NEAR(twice.solid.front().x, now.solid.front().x, rounding);
     ASSERT_NEAR(twice.solid.front().y, now.solid.front().y, rounding);
@@ -224,7 +224,7 @@ TEST(Wall, FrictionKnowsEffectiveStressAlone) {
       const double solid = (total - c.water_mass * relative) / c.mass;
       c.solid_trial = {solid, 1.0}; // slides along the wall
       c.water_trial = {solid + relative, 1.0};
-      c.set_trial({}, {});
+      c.set_trial({});
       std::vector<ContactNode> nodes{c};
       const Body wall{1e30, 1e30, {}};
       meet(wall, nodes);
@@ -247,7 +247,7 @@ TEST(Wall, SuctionTiesUntilWaterCavitates) {
     c.solid_trial = {0.0, -suction / 100.0};
     c.free_impulse = -suction;
     c.least_water = -2.0;
-    c.set_trial({}, {});
+    c.set_trial({});
     std::vector<ContactNode> nodes{c};
     meet({1e30, 1e30, {}}, nodes);
     return nodes.front().tied;
@@ -267,10 +267,10 @@ std::vector<ContactNode> random_footing(Draw& draw, bool wet) {
     c.arm = {-1.0 + 2.0 * k / count, -1.0};
     c.normal = {std::sin(lean), std::cos(lean)};
     c.friction = friction;
-    c.set_trial({}, {});
+    c.set_trial({});
     if (wet)
       c.free_impulse = 0.3 * c.mass * c.normal_speed; // water bears some of it
-    c.set_trial({}, {});
+    c.set_trial({});
     nodes.push_back(c);
   }
   return nodes;

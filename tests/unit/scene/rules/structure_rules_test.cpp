@@ -151,7 +151,7 @@ TEST(Rules, StructuresTouchSoil) {
   EXPECT_THAT(
       errors_of(outline("[[8.0, 0.26], [12.0, 0.26], [12.0, 4.0], [8.0, 4.0]]")),
       ElementsAre("case.toml:35:11: [[structure]] 'polygon' touches no soil: a structure stands on or in "
-                  "a [[region]], or a rigid one on another rigid one that does"));
+                  "a [[region]], or on another one that does"));
   // Two that stand on another, one on the other.
   const std::string roof = second("roof", "[[8.0, 4.0], [12.0, 4.0], [12.0, 8.0], [8.0, 8.0]]");
   const std::string mast = second("mast", "[[9.0, 8.0], [11.0, 8.0], [11.0, 12.0], [9.0, 12.0]]");
