@@ -18,7 +18,6 @@ namespace tremolo::results {
 namespace {
 
 constexpr std::string_view frames = "/frames/";
-constexpr std::string_view contact = "/contact/";
 constexpr std::string_view boundary = "/boundary/";
 
 template <class Number>
@@ -47,11 +46,17 @@ public:
 
   Checksum like(const Checksum& known) {
     const std::string_view path = known.path;
-    if (path.starts_with(frames))
-      return fields(known, path.substr(frames.size()), &RunReader::frame_fields, &RunReader::frame_field);
-    if (path.starts_with(contact))
-      return fields(known, path.substr(contact.size()), &RunReader::contact_fields,
-                    &RunReader::contact_field);
+    if (path.starts_with(frames)) {
+      const std::size_t frame = number_in(path.substr(frames.size()));
+      return of_fields(known, frame, run_.frame_fields(frame),
+                       [&](const std::string& name) { return run_.frame_field(frame, name); });
+    }
+    for (const std::string_view part : frame_parts)
+      if (const std::string group = fmt::format("/{}/", part); path.starts_with(group)) {
+        const std::size_t frame = number_in(path.substr(group.size()));
+        return of_fields(known, frame, run_.part_fields(part, frame),
+                         [&](const std::string& name) { return run_.part_field(part, frame, name); });
+      }
     if (path.starts_with(boundary))
       return beginning({known.path}, exchange(path.substr(boundary.size())), known.numbers);
     const SeriesData data = run_.series(path);
@@ -65,12 +70,10 @@ private:
     return checksum;
   }
 
-  template <class Names, class Read>
-  Checksum fields(const Checksum& known, std::string_view number, Names names, Read read) {
-    const std::size_t frame = number_in(number);
-    const StoredFields stored((run_.*names)(frame),
-                              [&](const std::string& name) { return (run_.*read)(frame, name); });
-    return checksum_of_fields(known.path, run_.frame_times().at(frame), stored.fields());
+  template <class Read>
+  Checksum of_fields(const Checksum& known, std::size_t frame, const std::vector<std::string>& names,
+                     const Read& read) {
+    return checksum_of_fields(known.path, run_.frame_times().at(frame), StoredFields(names, read).fields());
   }
 
   const std::vector<double>& exchange(std::string_view name) {

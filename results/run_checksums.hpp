@@ -2,7 +2,7 @@
 
 // Checksums of what a run file holds, so that a resumed run, which copies it, notices any damage. A
 // checkpoint keeps those of the file as it was then (docs/checkpoints.md): one for every series and every
-// dataset of /boundary over the numbers that it had, one for every group of fields in /frames and /contact.
+// dataset of /boundary over the numbers that it had, one for every group of fields in /frames and beside it.
 
 #include "results/run_data.hpp"
 

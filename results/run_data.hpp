@@ -2,6 +2,7 @@
 
 // Plain data that goes into and comes out of a run file.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,6 +28,16 @@ struct Field {
   std::string_view unit;      ///< SI, "1" for none
   std::size_t components = 1; ///< 1 scalar, 2 vector (x, y), 4 stress (xx, yy, zz, xy)
   std::variant<std::span<const double>, std::span<const std::int32_t>> values; ///< [particles * components]
+};
+
+/// What frames may have beside the soil's particles, and their groups: contact nodes, and particles of
+/// elastic structures.
+inline constexpr std::array<std::string_view, 2> frame_parts{"contact", "structures"};
+
+/// Fields of one of them at the time of a frame; none: the run has no such part.
+struct FramePart {
+  std::string_view group; ///< one of frame_parts
+  std::span<const Field> fields;
 };
 
 /// A field as read.

@@ -29,7 +29,7 @@
 namespace tremolo::results {
 
 /// Version of the layout of `run.h5`: "major.minor"; a reader refuses another major.
-inline constexpr std::string_view schema_version = "1.9";
+inline constexpr std::string_view schema_version = "1.10";
 
 /// What is known of a run before its first step.
 struct RunDescription {
@@ -91,9 +91,8 @@ public:
 
   /// Writes the particles at `time` (s) as /frames/NNNN, flushes the file and then renews the XDMF. The
   /// number of particles may differ from frame to frame. `fields` must hold "position" with 2 components.
-  /// @param contact  fields of the contact nodes, which may be no nodes, written as /contact/NNNN; no field:
-  ///                 the run has no structures
-  void write_frame(double time, std::span<const Field> fields, std::span<const Field> contact = {});
+  /// @param parts  what the run has beside soil, which may be no points, written as /GROUP/NNNN
+  void write_frame(double time, std::span<const Field> fields, std::span<const FramePart> parts = {});
 
   /// Makes everything written so far durable against the end of this process.
   void flush();
@@ -174,10 +173,11 @@ public:
   std::vector<std::string> frame_fields(std::size_t frame) const;
   /// One field of one frame; integers are returned as doubles.
   FieldData frame_field(std::size_t frame, std::string_view name) const;
-  /// Names of the fields of a frame's contact nodes; none in a run without structures.
-  std::vector<std::string> contact_fields(std::size_t frame) const;
-  /// One field of a frame's contact nodes.
-  FieldData contact_field(std::size_t frame, std::string_view name) const;
+  /// Names of the fields of a part of a frame; none in a run without such parts.
+  /// @param group  one of frame_parts
+  std::vector<std::string> part_fields(std::string_view group, std::size_t frame) const;
+  /// One field of a part of a frame.
+  FieldData part_field(std::string_view group, std::size_t frame, std::string_view name) const;
 
   /// Names of the monitors, in alphabetical order.
   std::vector<std::string> monitors() const;

@@ -20,13 +20,13 @@ public:
     }
   }
 
-  /// @param group  of frames, "/frames" or "/contact"
-  std::string frame_path(std::size_t frame, std::string_view group = "/frames") const {
+  /// @param group  "frames", or one of frame_parts
+  std::string frame_path(std::size_t frame, std::string_view group = "frames") const {
     if (frame >= frame_names.size()) {
       throw std::runtime_error(fmt::format("{}: no frame {}, the run holds {}", source.path().string(), frame,
                                            frame_names.size()));
     }
-    return fmt::format("{}/{}", group, frame_names[frame]);
+    return fmt::format("/{}/{}", group, frame_names[frame]);
   }
 
   FieldData field(const std::string& path) const {
@@ -81,15 +81,15 @@ FieldData RunReader::frame_field(std::size_t frame, std::string_view name) const
   return implementation_->field(fmt::format("{}/{}", implementation_->frame_path(frame), name));
 }
 
-std::vector<std::string> RunReader::contact_fields(std::size_t frame) const {
-  if (!implementation_->source.exists("/contact")) {
+std::vector<std::string> RunReader::part_fields(std::string_view group, std::size_t frame) const {
+  if (!implementation_->source.exists(std::string(group))) {
     return {};
   }
-  return implementation_->source.children(implementation_->frame_path(frame, "/contact"));
+  return implementation_->source.children(implementation_->frame_path(frame, group));
 }
 
-FieldData RunReader::contact_field(std::size_t frame, std::string_view name) const {
-  return implementation_->field(fmt::format("{}/{}", implementation_->frame_path(frame, "/contact"), name));
+FieldData RunReader::part_field(std::string_view group, std::size_t frame, std::string_view name) const {
+  return implementation_->field(fmt::format("{}/{}", implementation_->frame_path(frame, group), name));
 }
 
 BoundaryHistory RunReader::boundary() const {

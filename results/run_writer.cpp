@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -46,7 +47,7 @@ std::size_t point_count(std::span<const Field> fields, std::string_view what, st
   const auto position = std::ranges::find(fields, "position", &Field::name);
   if (position == fields.end() || position->components != 2 || value_count(*position) < 2 * least) {
     throw std::invalid_argument(
-        fmt::format("a frame needs the field position with 2 components and at least {} {}", least, what));
+        fmt::format("a frame needs the field position with 2 components and at least {} {}s", least, what));
   }
   const std::size_t points = value_count(*position) / 2;
   for (const Field& field : fields) {
@@ -222,24 +223,32 @@ public:
   }
 
   /// The frame is written and flushed before anything refers to it; then one link makes it part of the run.
-  /// Its contact nodes are there before it is.
-  void write_frame(double time, std::span<const Field> fields, std::span<const Field> contact) {
+  /// What it has beside soil is there before it is.
+  void write_frame(double time, std::span<const Field> fields, std::span<const FramePart> parts) {
     if (!xdmf_) {
       throw std::invalid_argument(fmt::format("{}: this file takes no frames", path_.string()));
     }
     const std::size_t particles = point_count(fields, "particle", 1);
-    const std::size_t nodes = contact.empty() ? 0 : point_count(contact, "contact node", 0);
     const std::string name = fmt::format("{:04}", frame_count_);
-    if (!contact.empty()) {
-      if (!contact_) {
-        contact_.emplace(create_group(root(), "contact", expected_frames));
+    for (const FramePart& part : parts) {
+      if (part.fields.empty()) {
+        continue;
       }
-      publish(unlinked_frame(time, contact, nodes), *contact_, name);
+      const std::size_t points = point_count(part.fields, fmt::format("point of {}", part.group), 0);
+      auto group = parts_.find(part.group);
+      if (group == parts_.end()) {
+        group =
+            parts_.emplace(part.group, create_group(root(), std::string(part.group), expected_frames)).first;
+      }
+      publish(unlinked_frame(time, part.fields, points), group->second, name);
     }
     publish(unlinked_frame(time, fields, particles), frames_, name);
     frames_written_.push_back(checksum_of_fields("/frames/" + name, time, fields));
-    if (!contact.empty()) {
-      frames_written_.push_back(checksum_of_fields("/contact/" + name, time, contact));
+    for (const FramePart& part : parts) {
+      if (!part.fields.empty()) {
+        frames_written_.push_back(
+            checksum_of_fields(fmt::format("/{}/{}", part.group, name), time, part.fields));
+      }
     }
     ++frame_count_;
     std::vector<XdmfField> xdmf_fields;
@@ -334,7 +343,7 @@ private:
     boundary_.clear();
     series_.clear();
     monitors_ = Handle();
-    contact_.reset();
+    parts_.clear();
     frames_ = Handle();
     file_ = Handle();
   }
@@ -343,11 +352,11 @@ private:
   Handle file_;
   WriteGuard guard_;
   Handle frames_;
-  std::optional<Handle> contact_;
+  std::map<std::string_view, Handle> parts_; ///< groups of frame_parts
   Handle monitors_;
   std::vector<Series> series_;
   std::vector<BoundaryDataset> boundary_;
-  std::vector<Checksum> frames_written_; ///< of particles and contact nodes
+  std::vector<Checksum> frames_written_; ///< with their parts
   std::size_t frame_count_ = 0;
   std::optional<XdmfFile> xdmf_; ///< none of a file that takes no frames
 };
@@ -382,8 +391,8 @@ void RunWriter::append_boundary(double time, const BoundarySample& exchange) {
   implementation_->append_boundary(time, exchange);
 }
 
-void RunWriter::write_frame(double time, std::span<const Field> fields, std::span<const Field> contact) {
-  implementation_->guarded([&] { implementation_->write_frame(time, fields, contact); });
+void RunWriter::write_frame(double time, std::span<const Field> fields, std::span<const FramePart> parts) {
+  implementation_->guarded([&] { implementation_->write_frame(time, fields, parts); });
 }
 
 void RunWriter::flush() {

@@ -373,12 +373,25 @@ class Run:
         the body in N/m: normal_force (of effective stress) and water_force (of excess pore pressure) along the normal n,
         friction_force along (-n_y, n_x).
         """
+        return self._part("contact", index, f"the contact nodes of frame {index}")
+
+    def _part(self, group, index, what):
+        """What stands beside the soil's particles of a frame; None where the run has no such thing."""
         name = self._frame_name(index)
-        with self._reading(f"the contact nodes of frame {index}"):
-            if "contact" not in self._file:
+        with self._reading(what):
+            if group not in self._file:
                 return None
-            nodes = self._file["contact"][name]
-            return Fields({field: nodes[field][()] for field in links.names(nodes)})
+            points = self._file[group][name]
+            return Fields({field: points[field][()] for field in links.names(points)})
+
+    def structures(self, index):
+        """Particles of elastic structures in one frame: name -> array; None where the run has none.
+
+        position [particles, 2] (m), body (index into `bodies`), size (m, of a particle's side), and what the case asks for of
+        displacement [particles, 2] (m) and stress [particles, 4] (xx, yy, zz, xy in Pa; below a water table that beyond the
+        pressure of water at rest).
+        """
+        return self._part("structures", index, f"the structures of frame {index}")
 
     @property
     def energy(self):

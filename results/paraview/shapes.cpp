@@ -124,22 +124,31 @@ Line rigid_ring(const std::vector<Point>& corners, const Columns& motion, std::s
   return line;
 }
 
-/// A ring of an elastic structure, whose points are columns x0, y0, ...
-Line bent_ring(const Columns& outline, const std::string& prefix, std::span<const double> times) {
-  Line line{part_of_bodies, true, {}};
-  std::vector<std::size_t> xs, ys;
-  for (std::size_t i = 0; i < outline.numbered(prefix + "x"); ++i) {
-    xs.push_back(outline.column(fmt::format("{}x{}", prefix, i)));
-    ys.push_back(outline.column(fmt::format("{}y{}", prefix, i)));
-  }
+/// A line whose points are pairs of columns of a series.
+Line moving_line(std::int32_t part, bool closed, const Columns& series,
+                 const std::vector<std::pair<std::string, std::string>>& points,
+                 std::span<const double> times) {
+  Line line{part, closed, {}};
+  std::vector<std::pair<std::size_t, std::size_t>> columns;
+  for (const auto& [x, y] : points)
+    columns.emplace_back(series.column(x), series.column(y));
   for (const double time : times) {
-    const auto moment = outline.moment(time);
+    const auto moment = series.moment(time);
     std::vector<Point> places;
-    for (std::size_t i = 0; i < xs.size(); ++i)
-      places.push_back({outline.at(xs[i], moment), outline.at(ys[i], moment)});
+    for (const auto& [x, y] : columns)
+      places.push_back({series.at(x, moment), series.at(y, moment)});
     line.places.push_back(std::move(places));
   }
   return line;
+}
+
+/// A ring whose points are columns x0, y0, ... with a prefix: of an elastic structure, or a lining.
+Line bent_ring(std::int32_t part, const Columns& series, const std::string& prefix,
+               std::span<const double> times) {
+  std::vector<std::pair<std::string, std::string>> points;
+  for (std::size_t i = 0; i < series.numbered(prefix + "x"); ++i)
+    points.emplace_back(fmt::format("{}x{}", prefix, i), fmt::format("{}y{}", prefix, i));
+  return moving_line(part, true, series, points, times);
 }
 
 std::vector<Line> bodies(const FileReader& run, std::span<const double> times) {
@@ -150,9 +159,9 @@ std::vector<Line> bodies(const FileReader& run, std::span<const double> times) {
     const std::string path = "/bodies/" + name;
     if (run.exists("outlines") && run.exists("outlines/" + name)) {
       const Columns outline(run, "/outlines/" + name);
-      lines.push_back(bent_ring(outline, "", times));
+      lines.push_back(bent_ring(part_of_bodies, outline, "", times));
       if (outline.numbered("hole_x") > 0)
-        lines.push_back(bent_ring(outline, "hole_", times));
+        lines.push_back(bent_ring(part_of_bodies, outline, "hole_", times));
       continue;
     }
     const Columns motion(run, path);
@@ -161,6 +170,23 @@ std::vector<Line> bodies(const FileReader& run, std::span<const double> times) {
         lines.push_back(
             rigid_ring(corners_of(run.attribute_as<std::vector<double>>(path, ring)), motion, times));
   }
+  return lines;
+}
+
+std::vector<Line> linings(const FileReader& run, std::span<const double> times) {
+  std::vector<Line> lines;
+  if (run.exists("linings"))
+    for (const std::string& name : run.children("linings"))
+      lines.push_back(bent_ring(part_of_linings, Columns(run, "/linings/" + name), "", times));
+  return lines;
+}
+
+std::vector<Line> props(const FileReader& run, std::span<const double> times) {
+  std::vector<Line> lines;
+  if (run.exists("props"))
+    for (const std::string& name : run.children("props"))
+      lines.push_back(moving_line(part_of_props, false, Columns(run, "/props/" + name),
+                                  {{"from_x", "from_y"}, {"to_x", "to_y"}}, times));
   return lines;
 }
 
@@ -174,7 +200,8 @@ void add(const std::vector<Point>& places, std::vector<double>& points) {
 Shapes shapes_of(const FileReader& run, std::span<const double> times) {
   std::vector<Line> lines = faces(run);
   const std::size_t still = lines.size();
-  std::ranges::move(bodies(run, times), std::back_inserter(lines));
+  for (auto* const find : {&bodies, &linings, &props})
+    std::ranges::move((*find)(run, times), std::back_inserter(lines));
   Shapes shapes;
   shapes.offsets.push_back(0);
   for (const Line& line : lines) {

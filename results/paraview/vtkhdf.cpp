@@ -16,6 +16,8 @@
 #include <numeric>
 #include <span>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 namespace tremolo::results {
 namespace {
@@ -34,23 +36,43 @@ struct FrameField {
 struct Frame {
   std::string path;
   double time = 0.0;
-  hsize_t points = 0;
+  hsize_t points = 0; ///< of the soil
   std::map<std::string, FrameField> fields;
+  std::string structures; ///< path of the particles of elastic structures
+  hsize_t of_structures = 0;
+  std::map<std::string, FrameField> fields_of_structures;
+
+  hsize_t vertices() const { return points + of_structures; }
 };
+
+/// Finds the fields of a group, and how many points they have.
+std::pair<std::map<std::string, FrameField>, hsize_t> fields_in(const FileReader& run,
+                                                                const std::string& group) {
+  std::map<std::string, FrameField> fields;
+  hsize_t points = 0;
+  for (const std::string& field : run.children(group)) {
+    const Handle dataset = run.dataset(group + "/" + field);
+    const Handle space(H5Dget_space(dataset.get()), H5Sclose);
+    const Handle type(H5Dget_type(dataset.get()), H5Tclose);
+    const auto shape = run.shape(space.get());
+    fields[field] = {shape.size() > 1 ? shape[1] : 0, H5Tget_class(type.get()) == H5T_FLOAT};
+    points = shape[0];
+  }
+  return {std::move(fields), points};
+}
 
 std::vector<Frame> frames_of(const FileReader& run) {
   std::vector<Frame> frames;
+  const bool have_structures = run.exists("structures");
   for (const std::string& name : run.children("frames")) {
-    Frame frame{"/frames/" + name, run.attribute_as<double>("/frames/" + name, "time"), 0, {}};
-    for (const std::string& field : run.children(frame.path)) {
-      const Handle dataset = run.dataset(frame.path + "/" + field);
-      const Handle space(H5Dget_space(dataset.get()), H5Sclose);
-      const Handle type(H5Dget_type(dataset.get()), H5Tclose);
-      const auto shape = run.shape(space.get());
-      frame.fields[field] = {shape.size() > 1 ? shape[1] : 0, H5Tget_class(type.get()) == H5T_FLOAT};
-      frame.points = shape[0];
+    Frame& frame = frames.emplace_back();
+    frame.path = "/frames/" + name;
+    frame.time = run.attribute_as<double>(frame.path, "time");
+    std::tie(frame.fields, frame.points) = fields_in(run, frame.path);
+    if (have_structures) {
+      frame.structures = "/structures/" + name;
+      std::tie(frame.fields_of_structures, frame.of_structures) = fields_in(run, frame.structures);
     }
-    frames.push_back(std::move(frame));
   }
   return frames;
 }
@@ -113,12 +135,15 @@ private:
   Place grid() const { return {group_.get(), path_}; }
   hsize_t lines() const { return shapes_.offsets.size() - 1; }
   bool has_shapes() const { return shapes_.count() > 0; }
-  /// Adds up, over all times, something of the soil's part and something of the shapes'.
+  /// Adds up, over all times, something of the particles' part and something of the shapes'.
   hsize_t sum(hsize_t of_shapes, hsize_t more = 0) const {
     hsize_t all = 0;
     for (const Frame& frame : frames_)
-      all += frame.points + more + (has_shapes() ? of_shapes : 0);
+      all += frame.vertices() + more + (has_shapes() ? of_shapes : 0);
     return all;
+  }
+  hsize_t most_of_structures() const {
+    return std::ranges::max(frames_, {}, &Frame::of_structures).of_structures;
   }
   SourceRows own(const char* name, hsize_t all, hsize_t count, hsize_t columns = 0, hsize_t first = 0) const {
     return {std::string(own_group) + "/" + name, all, columns, count, first};
@@ -126,10 +151,13 @@ private:
 
   void write_own() {
     const Place place{own_.get(), path_};
-    most_ = std::ranges::max(frames_, {}, &Frame::points).points + 1;
+    most_ = std::ranges::max(frames_, {}, &Frame::vertices).vertices() + 1;
     std::vector<std::int64_t> numbers(most_);
     std::iota(numbers.begin(), numbers.end(), 0);
     write_numbers(place, "numbers", H5T_NATIVE_INT64, numbers);
+    if (most_of_structures() > 0)
+      write_numbers(place, "of_structures", H5T_NATIVE_INT32,
+                    std::vector<std::int32_t>(most_of_structures(), part_of_structures));
     if (!has_shapes())
       return;
     write_numbers(place, "connectivity", H5T_NATIVE_INT64, shapes_.connectivity);
@@ -144,7 +172,7 @@ private:
     std::vector<std::int64_t> points, cells, connectivity;
     for (const Frame& frame : frames_)
       for (auto* sizes : {&points, &cells, &connectivity})
-        sizes->push_back(static_cast<std::int64_t>(frame.points));
+        sizes->push_back(static_cast<std::int64_t>(frame.vertices()));
     if (has_shapes())
       for (std::size_t k = frames_.size(); k > 0; --k) {
         const auto place = static_cast<std::ptrdiff_t>(k);
@@ -167,9 +195,10 @@ private:
     for (std::size_t k = 0; k < frames_.size(); ++k) {
       const Frame& frame = frames_[k];
       points.append({frame.path + "/position", frame.points, 2, frame.points});
-      connectivity.append(own("numbers", most_, frame.points));
-      offsets.append(own("numbers", most_, frame.points + 1));
-      types.skip(frame.points);
+      points.append({frame.structures + "/position", frame.of_structures, 2, frame.of_structures});
+      connectivity.append(own("numbers", most_, frame.vertices()));
+      offsets.append(own("numbers", most_, frame.vertices() + 1));
+      types.skip(frame.vertices());
       if (!has_shapes())
         continue;
       points.append(own("fixed", fixed, fixed, 3));
@@ -186,17 +215,21 @@ private:
     types.write(grid(), "Types", H5T_NATIVE_UINT8, &vtk_vertex);
   }
 
-  /// A field of the soil; of lines it is 0.
+  /// A field of the soil, and of structures where they have it; elsewhere it is 0.
   void write_field(const std::string& name, const FrameField& field) {
     constexpr double zero = 0.0;
     constexpr std::int32_t none = 0;
     const hsize_t columns = field.columns == 2 ? 3 : field.columns == 4 ? 6 : field.columns;
     VirtualArray values(sum(shapes_.count()), columns);
-    for (const Frame& frame : frames_) {
-      if (frame.fields.contains(name))
-        values.append({frame.path + "/" + name, frame.points, field.columns, frame.points});
+    const auto add = [&](const std::string& group, const auto& fields, hsize_t count) {
+      if (fields.contains(name))
+        values.append({group + "/" + name, count, field.columns, count});
       else
-        values.skip(frame.points);
+        values.skip(count);
+    };
+    for (const Frame& frame : frames_) {
+      add(frame.path, frame.fields, frame.points);
+      add(frame.structures, frame.fields_of_structures, frame.of_structures);
       values.skip(shapes_.count());
     }
     values.write({points_.get(), path_}, name, field.real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT32,
@@ -208,6 +241,7 @@ private:
     VirtualArray parts(sum(shapes_.count()), 0);
     for (const Frame& frame : frames_) {
       parts.skip(frame.points);
+      parts.append(own("of_structures", most_of_structures(), frame.of_structures));
       if (has_shapes())
         parts.append(own("parts", shapes_.count(), shapes_.count()));
     }
@@ -227,10 +261,10 @@ private:
       points.push_back(point);
       cells.push_back(cell);
       connectivity.push_back(id);
-      const auto soil = static_cast<std::int64_t>(frames_[k].points);
-      point += soil + static_cast<std::int64_t>(shapes_.count());
-      cell += soil + static_cast<std::int64_t>(lines());
-      id += soil + static_cast<std::int64_t>(shapes_.connectivity.size());
+      const auto vertices = static_cast<std::int64_t>(frames_[k].vertices());
+      point += vertices + static_cast<std::int64_t>(shapes_.count());
+      cell += vertices + static_cast<std::int64_t>(lines());
+      id += vertices + static_cast<std::int64_t>(shapes_.connectivity.size());
     }
     write_attribute(place, "NSteps", static_cast<std::int64_t>(frames_.size()));
     write_numbers(place, "Values", H5T_NATIVE_DOUBLE, values);

@@ -3,6 +3,8 @@
 #include "mpm_domain/head/phreatic_line.hpp"
 #include "mpm_domain/process/output/add_history.hpp"
 #include "mpm_domain/process/output/drift_table.hpp"
+#include "mpm_domain/process/output/frames/soil_frame.hpp"
+#include "mpm_domain/process/output/frames/structure_frame.hpp"
 #include "results/run_checksums.hpp"
 #include "results/stored_fields.hpp"
 #include "scene/plan/output/intervals.hpp"
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 namespace tremolo::mpm_domain {
 
@@ -26,175 +27,11 @@ results::RunDescription description(const scene::Case& scene, const std::string&
           .build_flags = TREMOLO_BUILD_FLAGS};
 }
 
-bool wants(const scene::Case& scene, scene::OutputField field) {
-  return std::ranges::find(scene.output.fields, field) != scene.output.fields.end();
-}
-
-/// Fields of one's own are written whenever there are any.
-bool wants_carried(const scene::Case& scene, std::string_view name) {
-  if (name == "velocity")
-    return wants(scene, scene::OutputField::velocity);
-  if (name == "stress" || name == "volume")
-    return wants(scene, scene::OutputField::stress);
-  return true;
-}
-
 /// Fields of a frame, before those of the laws.
 constexpr std::array<std::string_view, 7> field_order{"position",     "soil",   "displacement", "velocity",
                                                       "acceleration", "stress", "volume"};
 
 constexpr const char* table_path = "/shaking_table";
-
-/// A field of a frame that particles carry.
-struct CarriedField {
-  std::string name;
-  std::string unit;
-  std::vector<std::string> components; ///< names of particle fields
-  std::vector<double> values;
-};
-
-/// Fields of a frame that follow from the pore water; 0 where there is none.
-struct WaterFrame {
-  std::vector<double> pressure, excess, ratio, flux;
-};
-
-/// A line of what is written of it.
-struct WaterField {
-  scene::OutputField field;
-  std::string_view unit;
-  std::size_t components;
-  std::span<const double> values;
-};
-
-void add_water(WaterFrame& frame, const Particles& set, std::size_t k, double speed_of_time) {
-  const WaterState state = water_state(set, k);
-  frame.pressure.push_back(state.pressure);
-  frame.excess.push_back(state.excess);
-  frame.ratio.push_back(state.ratio);
-  frame.flux.insert(frame.flux.end(), {state.flux.x / speed_of_time, state.flux.y / speed_of_time});
-}
-
-/// Arrays of a frame: all soils one after the other, each in the order of particle ids.
-struct Frame {
-  std::vector<double> position, displacement, acceleration, size;
-  std::vector<std::int32_t> soil;
-  std::vector<CarriedField> carried; ///< by the table of fields
-  WaterFrame water;
-  std::vector<materials::StateVariable> variables; ///< of all soils, each name once
-  std::vector<std::vector<double>> states; ///< one array a variable; 0 where a soil has no such variable
-};
-
-std::vector<materials::StateVariable> all_state_variables(const Domain& domain) {
-  std::vector<materials::StateVariable> all;
-  for (const Particles& set : domain.sets_of_soil())
-    for (const materials::StateVariable& variable : materials::state_variables(set.law))
-      if (!variable.internal && std::none_of(all.begin(), all.end(),
-                                             [&](const auto& known) { return known.name == variable.name; }))
-        all.push_back(variable);
-  return all;
-}
-
-double state_value(const Particles& set, std::size_t k, std::string_view name) {
-  const auto variables = materials::state_variables(set.law);
-  for (std::size_t s = 0; s < variables.size(); ++s)
-    if (variables[s].name == name)
-      return set.state[k * set.state_size + s];
-  return 0.0;
-}
-
-/// The fields of frames that the table of particle fields names, in its order, and fields of one's own.
-std::vector<CarriedField> carried_fields(const Domain& domain) {
-  std::vector<CarriedField> fields;
-  domain.sets.front().for_fields([&](const ParticleFieldDescription& line, const std::vector<double>&) {
-    const std::string& name = line.in_frames();
-    if (!name.empty()) {
-      auto known = std::ranges::find(fields, name, &CarriedField::name);
-      if (known == fields.end())
-        known = fields.insert(known, {name, line.unit, {}, {}});
-      known->components.push_back(line.name);
-    }
-  });
-  return fields;
-}
-
-/// The names of the soils. Slices of one soil stand one behind the other and have its name.
-std::vector<std::string> soil_names(const Spec& spec) {
-  std::vector<std::string> names;
-  for (const Soil& soil : spec.soils)
-    if (names.empty() || names.back() != soil.name)
-      names.push_back(soil.name);
-  return names;
-}
-
-/// Makes room for so many particles, so that no array grows to twice what it needs.
-void reserve(Frame& frame, std::size_t particles) {
-  for (std::vector<double>* vectors : {&frame.position, &frame.displacement, &frame.acceleration})
-    vectors->reserve(2 * particles);
-  frame.soil.reserve(particles);
-  for (CarriedField& field : frame.carried)
-    field.values.reserve(field.components.size() * particles);
-  for (std::vector<double>& state : frame.states)
-    state.reserve(particles);
-}
-
-/// @param has_water  whether there is a water table, without which no field of the pore water is written
-Frame collect(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, bool has_water) {
-  const double n = stepper.speed_of_time();
-  const std::vector<std::string> names = soil_names(domain.spec);
-  Frame frame;
-  frame.carried = carried_fields(domain);
-  frame.variables = all_state_variables(domain);
-  frame.states.resize(frame.variables.size());
-  std::size_t particles = 0;
-  for (const Particles& set : snapshot.sets_of_soil())
-    particles += set.size();
-  reserve(frame, particles);
-  for (std::size_t s = 0; s < domain.soil_sets; ++s) {
-    const Particles& set = snapshot.sets()[s];
-    const auto name = static_cast<std::int32_t>(std::ranges::find(names, set.soil) - names.begin());
-    std::map<std::string_view, const std::vector<double>*> columns;
-    set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
-      columns[line.name] = &values;
-    });
-    std::vector<double> vx(set.size());
-    std::vector<double> vy(set.size());
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const Vector v = snapshot.velocity(s, k);
-      vx[k] = v.x / n;
-      vy[k] = v.y / n;
-    }
-    columns["vx"] = &vx;
-    columns["vy"] = &vy;
-    std::vector<std::vector<const std::vector<double>*>> carried; // by field and component
-    for (const CarriedField& field : frame.carried) {
-      std::vector<const std::vector<double>*>& components = carried.emplace_back();
-      for (const std::string& component : field.components)
-        components.push_back(columns.at(component));
-    }
-    for (const std::uint32_t k : set.index_of) {
-      if (k == Particles::nowhere)
-        continue;
-      const Vector acceleration = snapshot.acceleration(s, k);
-      const auto [x, y] = place(set, k, stepper.dt());
-      frame.position.insert(frame.position.end(), {x, y});
-      const Vector moved = displacement(set, k, stepper.dt());
-      frame.displacement.insert(frame.displacement.end(), {moved.x, moved.y});
-      frame.acceleration.insert(frame.acceleration.end(),
-                                {acceleration.x / (n * n), acceleration.y / (n * n)});
-      for (std::size_t f = 0; f < carried.size(); ++f)
-        for (const std::vector<double>* component : carried[f])
-          frame.carried[f].values.push_back((*component)[k]);
-      if (has_water)
-        add_water(frame.water, set, k, n);
-      frame.soil.push_back(name);
-      if (domain.mesh)
-        frame.size.push_back(2.0 * set.half_size);
-      for (std::size_t v = 0; v < frame.variables.size(); ++v)
-        frame.states[v].push_back(state_value(set, k, frame.variables[v].name));
-    }
-  }
-  return frame;
-}
 
 results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std::string> sources) {
   results::BoundaryFaces faces;
@@ -347,30 +184,16 @@ void RunOutput::write_history(const Stepper& stepper) {
 }
 
 void RunOutput::write_frame(const Stepper& stepper, double time, const ContactFrame& contact) {
-  const Frame frame = collect(domain_, snapshot_, stepper, scene_.water.has_value());
-  std::vector<results::Field> fields{{"position", "m", 2, frame.position}, {"soil", "1", 1, frame.soil}};
-  if (domain_.mesh)
-    fields.push_back({"size", "m", 1, frame.size});
-  if (wants(scene_, scene::OutputField::displacement))
-    fields.push_back({"displacement", "m", 2, frame.displacement});
-  if (wants(scene_, scene::OutputField::acceleration))
-    fields.push_back({"acceleration", "m/s2", 2, frame.acceleration});
-  for (const CarriedField& field : frame.carried)
-    if (wants_carried(scene_, field.name))
-      fields.push_back({field.name, field.unit, field.components.size(), field.values});
-  if (wants(scene_, scene::OutputField::state))
-    for (std::size_t v = 0; v < frame.variables.size(); ++v)
-      fields.push_back({frame.variables[v].name, frame.variables[v].unit, 1, frame.states[v]});
-  for (const auto& [field, unit, components, values] :
-       {WaterField{scene::OutputField::pore_pressure, "Pa", 1, frame.water.pressure},
-        WaterField{scene::OutputField::excess_pore_pressure, "Pa", 1, frame.water.excess},
-        WaterField{scene::OutputField::pore_pressure_ratio, "1", 1, frame.water.ratio},
-        WaterField{scene::OutputField::darcy_velocity, "m/s", 2, frame.water.flux}})
-    if (wants(scene_, field))
-      fields.push_back({scene::name(field), unit, components, values});
+  const SoilFrame soil(domain_, snapshot_, stepper, scene_.water.has_value());
+  const StructureFrame structures(domain_, snapshot_, stepper);
   last_frame_ = time;
   bodies_.write_outlines(stepper);
-  writer_.write_frame(last_frame_, fields, bodies_.any() ? contact.fields() : std::vector<results::Field>{});
+  const std::vector<results::Field> of_contact =
+      bodies_.any() ? contact.fields() : std::vector<results::Field>{};
+  const std::vector<results::Field> of_structures = structures.fields(scene_);
+  writer_.write_frame(
+      last_frame_, soil.fields(scene_),
+      std::vector<results::FramePart>{{"contact", of_contact}, {"structures", of_structures}});
 }
 
 void RunOutput::write_boundary(const Stepper& stepper) {
@@ -461,10 +284,17 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
   });
   const results::StoredFields particles(
       names, [&](const std::string& name) { return before.frame_field(frame, name); });
-  const results::StoredFields contact(before.contact_fields(frame), [&](const std::string& name) {
-    return before.contact_field(frame, name);
-  });
-  writer_.write_frame(before.frame_times().at(frame), particles.fields(), contact.fields());
+  std::vector<results::StoredFields> parts;
+  std::vector<std::vector<results::Field>> fields_of;
+  std::vector<results::FramePart> written;
+  for (const std::string_view group : results::frame_parts)
+    parts.emplace_back(before.part_fields(group, frame),
+                       [&](const std::string& name) { return before.part_field(group, frame, name); });
+  for (const results::StoredFields& part : parts)
+    fields_of.push_back(part.fields());
+  for (std::size_t n = 0; n < parts.size(); ++n)
+    written.push_back({results::frame_parts[n], fields_of[n]});
+  writer_.write_frame(before.frame_times().at(frame), particles.fields(), written);
 }
 
 std::optional<std::string> RunOutput::finish(const Stepper& stepper, double gravity_seconds,

@@ -40,9 +40,10 @@ std::vector<Checksum> write_run(const std::filesystem::path& file) {
     run.append_boundary(frame_time(frame), {exchange, exchange, exchange});
     const auto position = filled(frame, 0, 1100);
     const auto small = filled(frame, 1, 550);
+    const std::vector<Field> contact{{"position", "m", 2, node}, {"body", "1", 1, body}};
     run.write_frame(frame_time(frame),
                     std::vector<Field>{{"position", "m", 2, position}, {"mass", "kg", 1, small}},
-                    std::vector<Field>{{"position", "m", 2, node}, {"body", "1", 1, body}});
+                    std::vector<FramePart>{{"contact", contact}});
   }
   run.flush();
   return run.checksums();
@@ -70,8 +71,9 @@ std::string taken_over(const std::filesystem::path& file) {
     all += std::to_string(run.frame_times().at(frame));
     const StoredFields particles(run.frame_fields(frame),
                                  [&](const std::string& name) { return run.frame_field(frame, name); });
-    const StoredFields contact(run.contact_fields(frame),
-                               [&](const std::string& name) { return run.contact_field(frame, name); });
+    const StoredFields contact(run.part_fields("contact", frame), [&](const std::string& name) {
+      return run.part_field("contact", frame, name);
+    });
     for (const StoredFields* stored : {&particles, &contact})
       for (const Field& field : stored->fields()) {
         all += std::string(field.name) + std::string(field.unit) + std::to_string(field.components);

@@ -101,7 +101,7 @@ TEST(RunFile, ReturnsWhatWasWritten) {
   EXPECT_EQ(run.series("/monitors/crest").rows(), 0U);
 }
 
-TEST(RunFile, KeepsContactNodesBesideFramesAndHowManyThereAre) {
+TEST(RunFile, KeepsWhatFramesHaveBesideSoilAndHowMuchThereIs) {
   const Folder folder;
   const std::vector<double> position{1.0, 2.0, 3.0, 4.0};
   {
@@ -112,33 +112,38 @@ TEST(RunFile, KeepsContactNodesBesideFramesAndHowManyThereAre) {
       const std::vector<std::int32_t> body(nodes, 1);
       const std::vector<Field> contact{
           {"position", "m", 2, place}, {"normal_force", "N/m", 1, force}, {"body", "1", 1, body}};
-      run.write_frame(0.1, std::vector<Field>{{"position", "m", 2, position}}, contact);
+      const std::vector<Field> structures{{"position", "m", 2, position}};
+      run.write_frame(0.1, std::vector<Field>{{"position", "m", 2, position}},
+                      std::vector<FramePart>{{"contact", contact}, {"structures", structures}});
     }
     const std::vector<Field> wrong{{"position", "m", 2, position}, {"area", "m", 1, std::span(position)}};
     EXPECT_THAT(
         [&] {
-          run.write_frame(0.2, std::vector<Field>{{"position", "m", 2, position}}, wrong);
+          run.write_frame(0.2, std::vector<Field>{{"position", "m", 2, position}},
+                          std::vector<FramePart>{{"contact", wrong}});
         },
         ThrowsMessage<std::invalid_argument>(
-            HasSubstr("field area has 4 values where 2 contact nodes with 1 components need 2")));
+            HasSubstr("field area has 4 values where 2 point of contacts with 1 components need 2")));
     run.finish();
   }
   const RunReader run(folder / "run.h5");
   ASSERT_EQ(run.frame_times().size(), 2U);
   EXPECT_THAT(run.frame_fields(0), ElementsAre("position"));
-  EXPECT_THAT(run.contact_fields(0), ElementsAre("body", "normal_force", "position"));
-  EXPECT_EQ(run.contact_field(0, "position").values, position);
-  EXPECT_EQ(run.contact_field(0, "normal_force").unit, "N/m");
-  EXPECT_THAT(run.contact_field(0, "body").values, ElementsAre(1, 1));
-  EXPECT_TRUE(run.contact_field(0, "body").integers);
-  EXPECT_THAT(run.contact_field(1, "position").values, ElementsAre());
-  EXPECT_EQ(run.contact_field(1, "position").components, 2U);
+  EXPECT_THAT(run.part_fields("contact", 0), ElementsAre("body", "normal_force", "position"));
+  EXPECT_THAT(run.part_fields("structures", 1), ElementsAre("position"));
+  EXPECT_EQ(run.part_field("structures", 1, "position").values, position);
+  EXPECT_EQ(run.part_field("contact", 0, "position").values, position);
+  EXPECT_EQ(run.part_field("contact", 0, "normal_force").unit, "N/m");
+  EXPECT_THAT(run.part_field("contact", 0, "body").values, ElementsAre(1, 1));
+  EXPECT_TRUE(run.part_field("contact", 0, "body").integers);
+  EXPECT_THAT(run.part_field("contact", 1, "position").values, ElementsAre());
+  EXPECT_EQ(run.part_field("contact", 1, "position").components, 2U);
 }
 
 TEST(RunFile, HasNoContactNodesWithoutStructures) {
   const Folder folder;
   write_full_run(folder / "run.h5", 1);
-  EXPECT_THAT(RunReader(folder / "run.h5").contact_fields(0), ElementsAre());
+  EXPECT_THAT(RunReader(folder / "run.h5").part_fields("contact", 0), ElementsAre());
 }
 
 TEST(RunFile, KeepsTablesOfTextNumbersAndCounts) {

@@ -142,6 +142,53 @@ TEST_F(VtkHdf, FacesLieAlongTheBoundaryAndStructuresMoveAndTurn) {
   }
 }
 
+/// Particles of a structure beside those of the soil, a lining of three nodes and a prop.
+TEST_F(VtkHdf, StructuresHaveTheirStressAndLiningsAndPropsAreLines) {
+  Folder folder;
+  const std::vector<double> of_soil{1.0, 2.0, 3.0, 4.0};
+  const std::vector<double> soil_stress{1, 2, 3, 4, 5, 6, 7, 8};
+  const std::vector<double> of_wall{5.0, 6.0};
+  const std::vector<double> wall_stress{11, 12, 13, 14};
+  {
+    RunWriter run(folder / "run.h5", description);
+    TimeSeries& ring =
+        run.add_series("/linings/ring",
+                       std::vector<std::string>{"time", "x0", "y0", "n0", "x1", "y1", "n1", "x2", "y2", "n2"},
+                       std::vector<std::string>{"s", "m", "m", "N/m", "m", "m", "N/m", "m", "m", "N/m"});
+    TimeSeries& strut = run.add_series(
+        "/props/strut", std::vector<std::string>{"time", "n", "from_x", "from_y", "to_x", "to_y"},
+        std::vector<std::string>{"s", "N/m", "m", "m", "m", "m"});
+    for (const double time : {0.0, 1.0}) {
+      ring.append(std::vector<double>{time, time, 0.0, 9.0, 1.0, 0.0, 9.0, 0.0, 1.0, 9.0});
+      strut.append(std::vector<double>{time, 9.0, -7.0, time, 7.0, 0.0});
+    }
+    const std::vector<Field> wall{{"position", "m", 2, of_wall}, {"stress", "Pa", 4, wall_stress}};
+    for (const double time : {0.0, 1.0})
+      run.write_frame(time,
+                      std::vector<Field>{{"position", "m", 2, of_soil}, {"stress", "Pa", 4, soil_stress}},
+                      std::vector<FramePart>{{"structures", wall}});
+    run.finish();
+  }
+  const FileReader run(folder / "run.h5", "run file");
+  const auto points = numbers(run, "/VTKHDF/Points");
+  const auto part = numbers(run, "/VTKHDF/PointData/part");
+  const auto stress = numbers(run, "/VTKHDF/PointData/stress");
+  const auto first = static_cast<std::size_t>(numbers(run, "/VTKHDF/Steps/PointOffsets").at(1));
+  ASSERT_EQ(first, 8U);
+  EXPECT_THAT(std::vector<double>(part.begin() + 8, part.end()),
+              ElementsAre(0.0, 0.0, 3.0, 4.0, 4.0, 4.0, 5.0, 5.0));
+  EXPECT_EQ(points[3 * 10], 5.0);
+  EXPECT_EQ(stress[6 * 9], 5.0);
+  EXPECT_EQ(stress[6 * 10 + 3], 14.0);
+  EXPECT_EQ(stress[6 * 11], 0.0); // of lines
+  EXPECT_EQ(points[3 * 11], 1.0); // the lining has moved
+  EXPECT_EQ(points[3 * 14], -7.0);
+  EXPECT_EQ(points[3 * 14 + 1], 1.0);
+  // Cells: three vertices, a closed ring and a line.
+  EXPECT_THAT(numbers(run, "/VTKHDF/NumberOfCells"), ElementsAre(3.0, 2.0, 3.0, 2.0));
+  EXPECT_THAT(numbers(run, "/VTKHDF/NumberOfConnectivityIds"), ElementsAre(3.0, 6.0, 3.0, 6.0));
+}
+
 TEST_F(VtkHdf, TheFileStaysOneThatIsReadAndAddedTo) {
   write(true);
   const FileReader run = open();

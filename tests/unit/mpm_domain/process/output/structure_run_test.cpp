@@ -174,7 +174,7 @@ struct ContactSums {
 };
 
 ContactSums contact_sums(const results::RunReader& run, std::size_t frame) {
-  const auto field = [&](const char* name) { return run.contact_field(frame, name).values; };
+  const auto field = [&](const char* name) { return run.part_field("contact", frame, name).values; };
   const auto n = field("normal");
   const auto normal = field("normal_force");
   const auto friction = field("friction_force");
@@ -203,10 +203,10 @@ TEST(RunOutput, ContactNodesAddUpToTheForcesOnTheBody) {
   const results::RunReader file(folder / "run.h5");
   EXPECT_THAT(std::get<std::vector<std::string>>(file.attribute("structure_names")), ElementsAre("block"));
   ASSERT_EQ(file.frame_times().size(), 3U);
-  EXPECT_THAT(file.contact_fields(2), ElementsAre("area", "body", "friction_force", "normal", "normal_force",
-                                                  "position", "water_force"));
-  EXPECT_EQ(file.contact_field(2, "normal_force").unit, "N/m");
-  EXPECT_TRUE(file.contact_field(2, "body").integers);
+  EXPECT_THAT(file.part_fields("contact", 2), ElementsAre("area", "body", "friction_force", "normal",
+                                                          "normal_force", "position", "water_force"));
+  EXPECT_EQ(file.part_field("contact", 2, "normal_force").unit, "N/m");
+  EXPECT_TRUE(file.part_field("contact", 2, "body").integers);
   const ContactSums sums = contact_sums(file, 2);
   const double weight = 16000.0 * 9.81;
   EXPECT_NEAR(sums.normal.x, forces.normal.force.x, 1e-9 * weight);
@@ -215,7 +215,7 @@ TEST(RunOutput, ContactNodesAddUpToTheForcesOnTheBody) {
   EXPECT_NE(sums.friction.x, 0.0);
   EXPECT_EQ(sums.water.y, 0.0);
   EXPECT_NEAR(sums.area, 4.0, 1.0); // of a foot of 4 m; nodes reach a cell beyond
-  const auto position = file.contact_field(2, "position").values;
+  const auto position = file.part_field("contact", 2, "position").values;
   for (std::size_t k = 0; k < position.size(); k += 2) {
     EXPECT_NEAR(position[k], 10.0, 3.01);
     EXPECT_NEAR(position[k + 1], 0.0, 1.01);
@@ -281,11 +281,24 @@ TEST(RunOutput, FollowsAPointOfAnElasticBody) {
   const results::SeriesData block = file.series("/bodies/block");
   EXPECT_NEAR(last(block, "vx"), 0.02, 4e-3); // friction slows it down
   EXPECT_DOUBLE_EQ(last(block, "weight_y"), -8000.0 * 9.81);
-  // Frames hold the soil alone.
+  // Frames hold the soil; the block's particles stand beside it, with its stress.
   std::size_t of_soil = 0;
   for (const Particles& soil : run.domain().sets_of_soil())
     of_soil += soil.size();
   EXPECT_EQ(file.frame_field(0, "soil").values.size(), of_soil);
+  std::size_t of_block = 0;
+  for (const Particles& particles : run.domain().body_sets())
+    of_block += particles.size();
+  const std::size_t end = file.frame_times().size() - 1;
+  EXPECT_THAT(file.part_fields("structures", end),
+              ElementsAre("body", "displacement", "position", "size", "stress"));
+  EXPECT_EQ(file.part_field("structures", end, "body").values, std::vector<double>(of_block, 0.0));
+  const std::vector<double> stresses = file.part_field("structures", end, "stress").values;
+  ASSERT_EQ(stresses.size(), 4 * of_block);
+  bool found = false;
+  for (std::size_t k = 0; k < of_block; ++k)
+    found |= stresses[4 * k] == sxx;
+  EXPECT_TRUE(found);
 }
 
 /// The block's particles move aside with the square of their height: its outline bends as they do.
@@ -335,8 +348,8 @@ TEST_P(Resumed, GoesOnWithBodiesWhereACheckpointWas) {
     if (GetParam() == elastic)
       all.push_back(run.series("/outlines/block").values);
     for (std::size_t frame = 0; frame < run.frame_times().size(); ++frame)
-      for (const std::string& name : run.contact_fields(frame))
-        all.push_back(run.contact_field(frame, name).values);
+      for (const std::string& name : run.part_fields("contact", frame))
+        all.push_back(run.part_field("contact", frame, name).values);
     return all;
   };
   const auto all = contents();

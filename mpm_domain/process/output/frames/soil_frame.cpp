@@ -1,0 +1,177 @@
+#include "mpm_domain/process/output/frames/soil_frame.hpp"
+
+#include "mpm_domain/process/output/followed_point.hpp"
+
+#include <algorithm>
+#include <map>
+#include <span>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+bool wants(const scene::Case& scene, scene::OutputField field) {
+  return std::ranges::find(scene.output.fields, field) != scene.output.fields.end();
+}
+
+/// A line of what is written of it.
+struct WaterField {
+  scene::OutputField field;
+  std::string_view unit;
+  std::size_t components;
+  std::span<const double> values;
+};
+
+void add_water(SoilFrame::Water& frame, const Particles& set, std::size_t k, double speed_of_time) {
+  const WaterState state = water_state(set, k);
+  frame.pressure.push_back(state.pressure);
+  frame.excess.push_back(state.excess);
+  frame.ratio.push_back(state.ratio);
+  frame.flux.insert(frame.flux.end(), {state.flux.x / speed_of_time, state.flux.y / speed_of_time});
+}
+
+std::vector<materials::StateVariable> all_state_variables(const Domain& domain) {
+  std::vector<materials::StateVariable> all;
+  for (const Particles& set : domain.sets_of_soil())
+    for (const materials::StateVariable& variable : materials::state_variables(set.law))
+      if (!variable.internal && std::none_of(all.begin(), all.end(),
+                                             [&](const auto& known) { return known.name == variable.name; }))
+        all.push_back(variable);
+  return all;
+}
+
+double state_value(const Particles& set, std::size_t k, std::string_view name) {
+  const auto variables = materials::state_variables(set.law);
+  for (std::size_t s = 0; s < variables.size(); ++s)
+    if (variables[s].name == name)
+      return set.state[k * set.state_size + s];
+  return 0.0;
+}
+
+/// The fields of frames that the table of particle fields names, in its order, and fields of one's own.
+std::vector<SoilFrame::Carried> carried_fields(const Domain& domain) {
+  std::vector<SoilFrame::Carried> fields;
+  domain.sets.front().for_fields([&](const ParticleFieldDescription& line, const std::vector<double>&) {
+    const std::string& name = line.in_frames();
+    if (!name.empty()) {
+      auto known = std::ranges::find(fields, name, &SoilFrame::Carried::name);
+      if (known == fields.end())
+        known = fields.insert(known, {name, line.unit, {}, {}});
+      known->components.push_back(line.name);
+    }
+  });
+  return fields;
+}
+
+/// Makes room for so many particles, so that no array grows to twice what it needs.
+void reserve(SoilFrame& frame, std::size_t particles) {
+  for (std::vector<double>* vectors : {&frame.position, &frame.displacement, &frame.acceleration})
+    vectors->reserve(2 * particles);
+  frame.soil.reserve(particles);
+  for (SoilFrame::Carried& field : frame.carried)
+    field.values.reserve(field.components.size() * particles);
+  for (std::vector<double>& state : frame.states)
+    state.reserve(particles);
+}
+
+} // namespace
+
+/// The names of the soils. Slices of one soil stand one behind the other and have its name.
+std::vector<std::string> soil_names(const Spec& spec) {
+  std::vector<std::string> names;
+  for (const Soil& soil : spec.soils)
+    if (names.empty() || names.back() != soil.name)
+      names.push_back(soil.name);
+  return names;
+}
+
+bool is_wanted(const scene::Case& scene, std::string_view name) {
+  if (name == "displacement")
+    return wants(scene, scene::OutputField::displacement);
+  if (name == "velocity")
+    return wants(scene, scene::OutputField::velocity);
+  if (name == "stress" || name == "volume")
+    return wants(scene, scene::OutputField::stress);
+  return true;
+}
+
+SoilFrame::SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, bool has_water) {
+  const double n = stepper.speed_of_time();
+  const std::vector<std::string> names = soil_names(domain.spec);
+  carried = carried_fields(domain);
+  variables = all_state_variables(domain);
+  states.resize(variables.size());
+  std::size_t particles = 0;
+  for (const Particles& set : snapshot.sets_of_soil())
+    particles += set.size();
+  reserve(*this, particles);
+  for (std::size_t s = 0; s < domain.soil_sets; ++s) {
+    const Particles& set = snapshot.sets()[s];
+    const auto name = static_cast<std::int32_t>(std::ranges::find(names, set.soil) - names.begin());
+    std::map<std::string_view, const std::vector<double>*> columns;
+    set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
+      columns[line.name] = &values;
+    });
+    std::vector<double> vx(set.size());
+    std::vector<double> vy(set.size());
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const Vector v = snapshot.velocity(s, k);
+      vx[k] = v.x / n;
+      vy[k] = v.y / n;
+    }
+    columns["vx"] = &vx;
+    columns["vy"] = &vy;
+    std::vector<std::vector<const std::vector<double>*>> columns_of; // by field and component
+    for (const Carried& field : carried) {
+      std::vector<const std::vector<double>*>& components = columns_of.emplace_back();
+      for (const std::string& component : field.components)
+        components.push_back(columns.at(component));
+    }
+    for (const std::uint32_t k : set.index_of) {
+      if (k == Particles::nowhere)
+        continue;
+      const Vector a = snapshot.acceleration(s, k);
+      const auto [x, y] = place(set, k, stepper.dt());
+      position.insert(position.end(), {x, y});
+      const Vector moved = mpm_domain::displacement(set, k, stepper.dt());
+      displacement.insert(displacement.end(), {moved.x, moved.y});
+      acceleration.insert(acceleration.end(), {a.x / (n * n), a.y / (n * n)});
+      for (std::size_t f = 0; f < columns_of.size(); ++f)
+        for (const std::vector<double>* component : columns_of[f])
+          carried[f].values.push_back((*component)[k]);
+      if (has_water)
+        add_water(water, set, k, n);
+      soil.push_back(name);
+      if (domain.mesh)
+        size.push_back(2.0 * set.half_size);
+      for (std::size_t v = 0; v < variables.size(); ++v)
+        states[v].push_back(state_value(set, k, variables[v].name));
+    }
+  }
+}
+
+std::vector<results::Field> SoilFrame::fields(const scene::Case& scene) const {
+  std::vector<results::Field> wanted{{"position", "m", 2, position}, {"soil", "1", 1, soil}};
+  if (!size.empty())
+    wanted.push_back({"size", "m", 1, size});
+  if (wants(scene, scene::OutputField::displacement))
+    wanted.push_back({"displacement", "m", 2, displacement});
+  if (wants(scene, scene::OutputField::acceleration))
+    wanted.push_back({"acceleration", "m/s2", 2, acceleration});
+  for (const Carried& field : carried)
+    if (is_wanted(scene, field.name))
+      wanted.push_back({field.name, field.unit, field.components.size(), field.values});
+  if (wants(scene, scene::OutputField::state))
+    for (std::size_t v = 0; v < variables.size(); ++v)
+      wanted.push_back({variables[v].name, variables[v].unit, 1, states[v]});
+  for (const auto& [field, unit, components, values] :
+       {WaterField{scene::OutputField::pore_pressure, "Pa", 1, water.pressure},
+        WaterField{scene::OutputField::excess_pore_pressure, "Pa", 1, water.excess},
+        WaterField{scene::OutputField::pore_pressure_ratio, "1", 1, water.ratio},
+        WaterField{scene::OutputField::darcy_velocity, "m/s", 2, water.flux}})
+    if (wants(scene, field))
+      wanted.push_back({scene::name(field), unit, components, values});
+  return wanted;
+}
+
+} // namespace tremolo::mpm_domain
