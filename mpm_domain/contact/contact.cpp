@@ -236,9 +236,12 @@ void Contact::weigh(const Ground& ground, std::size_t body, double share, const 
 }
 
 void Contact::find_nodes(Ground& ground, bool bonded) {
+  std::vector<const BodySurface*> surfaces;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    surfaces.push_back(&surface(b));
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     nodes_[b].find(ground, surface(b), bodies_[b].centre(), structures_[b],
-                   elastic_[b] ? &ground.bodies[elastic_[b]->number()] : nullptr, bonded);
+                   elastic_[b] ? &ground.bodies[elastic_[b]->number()] : nullptr, bonded, surfaces);
     weigh(ground, b, 1.0);
   }
   find_shared();

@@ -66,8 +66,9 @@ struct ContactNodes::Meeting {
   const Structure& structure;
   const BodyLattice* own;      ///< lattice of the body; null: it is rigid
   const OtherStructure* other; ///< null: the soil
-  const Lattice& lattice;      ///< of what it meets
-  int column;                  ///< of its first node, among the nodes of the soil's finest lattice
+  const BodySurface* surface_of_other;
+  const Lattice& lattice; ///< of what it meets
+  int column;             ///< of its first node, among the nodes of the soil's finest lattice
   int row;
   std::span<const NearParticle> near;
   bool bonded;
@@ -131,9 +132,11 @@ void ContactNodes::find_touches(Ground& ground, const Meeting& meeting) {
           place.y > box.y_max + reach)
         continue;
       const BodySurface::Nearest nearest = meeting.surface.nearest(place);
-      const double reaches = nearest.corner
-                                 ? p.half_size
-                                 : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
+      double reaches = nearest.corner
+                           ? p.half_size
+                           : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
+      if (meeting.surface_of_other != nullptr)
+        reaches = std::min(reaches, std::max(0.0, -meeting.surface_of_other->nearest(place).distance));
       touches_[n] = {nearest.distance - reaches, nearest.corner, {-nearest.normal.x, -nearest.normal.y}};
     }
   });
@@ -198,17 +201,20 @@ void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
 }
 
 void ContactNodes::find(Ground& ground, const BodySurface& surface, const Vector& centre,
-                        const Structure& structure, const BodyLattice* own, bool bonded) {
+                        const Structure& structure, const BodyLattice* own, bool bonded,
+                        std::span<const BodySurface* const> surfaces) {
   const std::vector<ContactNode> before = std::move(nodes_);
   nodes_.clear();
   of_nodes_.clear();
-  find_nodes(ground, {surface, structure, own, nullptr, ground.finest_lattice(), 0, 0, near_, bonded},
+  find_nodes(ground,
+             {surface, structure, own, nullptr, nullptr, ground.finest_lattice(), 0, 0, near_, bonded},
              before);
   for (const OtherStructure& other : others_)
     if (!other.near.empty()) {
       const BodyLattice& its = ground.bodies[other.number];
       find_nodes(ground,
-                 {surface, structure, own, &other, its.lattice, its.column, its.row, other.near, bonded},
+                 {surface, structure, own, &other, surfaces[other.structure], its.lattice, its.column,
+                  its.row, other.near, bonded},
                  before);
     }
   placed_ = true;
@@ -219,7 +225,7 @@ void ContactNodes::find(Ground& ground, const BodySurface& surface, const Vector
 }
 
 void ContactNodes::find_nodes(Ground& ground, const Meeting& meeting, std::span<const ContactNode> before) {
-  const auto& [surface, structure, own, other, lattice, column, row, near, bonded] = meeting;
+  const auto& [surface, structure, own, other, its_surface, lattice, column, row, near, bonded] = meeting;
   const Grid& grid = ground.grid;
   window_ = nodes_around(lattice, surface.bounds());
   find_wall(surface, lattice, window_, wall_);

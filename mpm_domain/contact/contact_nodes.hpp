@@ -6,7 +6,7 @@
 // as little, but left alone they would part from the body. Its strain there is its own, though.
 //
 // What stands for soil here may be another elastic body, with its particles and its lattice: so bodies meet
-// each other.
+// each other. Its particles reach no farther than its surface, which cuts their squares.
 //
 // What contact asks of the soil is summed over the particles near the body,
 //
@@ -132,8 +132,9 @@ public:
   /// @param centre  of mass of the body, m
   /// @param own     lattice of the body; null: it is rigid
   /// @param bonded  soil and body are to stick together, as wished in place
+  /// @param surfaces  of all structures, in their order
   void find(Ground& ground, const BodySurface& surface, const Vector& centre, const Structure& structure,
-            const BodyLattice* own, bool bonded = false);
+            const BodyLattice* own, bool bonded = false, std::span<const BodySurface* const> surfaces = {});
   /// Opens nodes of dry soil whose gap only bonds may have.
   /// @param h  cell size, m
   void end_bonds(const ContactGaps& gaps, double h);

@@ -1,8 +1,10 @@
 #include "mpm_domain/contact/impulses/collisions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace tremolo::mpm_domain {
@@ -24,23 +26,65 @@ void add(RigidMotion& to, const RigidMotion& change, double factor) {
   to.spin += factor * change.spin;
 }
 
+/// A face that a corner may touch: its normal, out of the body that it belongs to, and how far outside of it
+/// the corner lies, m.
+struct Touched {
+  Vector normal;
+  double gap;
+};
+
+/// Whether a body lies on the outer side of a face that its corner touches, up to some tilt.
+bool lies_outside(const Vector& before, const Vector& corner, const Vector& after, const Vector& normal) {
+  constexpr double tilt = 0.1;
+  return std::ranges::all_of(std::array{before, after}, [&](const Vector& next) {
+    const Vector edge = next - corner;
+    return dot(edge, normal) >= -tilt * std::sqrt(square(edge));
+  });
+}
+
+/// The face of a body that a corner of another, between two of its points, touches within a distance. Where
+/// corners meet the nearest point has a normal that may belong to a face along which the other body passes:
+/// then it is the nearest of the faces beside that point which the other body lies outside of, if any.
+std::optional<Touched> touched_face(const BodySurface& surface, const Vector& before, const Vector& corner,
+                                    const Vector& after, double distance) {
+  const BodySurface::Nearest nearest = surface.nearest(corner);
+  if (nearest.distance >= distance)
+    return std::nullopt;
+  if (lies_outside(before, corner, after, nearest.normal))
+    return Touched{nearest.normal, nearest.distance};
+  std::optional<Touched> found;
+  for (const BodySurface::Toe& toe : surface.toes())
+    for (const Vector& normal : toe.normals) {
+      const Vector off = corner - toe.place;
+      const double gap = dot(off, normal);
+      if (square(off) < distance * distance && lies_outside(before, corner, after, normal) &&
+          (!found || std::abs(gap) < std::abs(found->gap)))
+        found = Touched{normal, gap};
+    }
+  return found;
+}
+
 void find_corners(std::span<const RigidBody> bodies, std::size_t owner, std::size_t other, double friction,
                   double distance, std::vector<CornerContact>& corners) {
   const mesh::Rectangle box = bodies[other].surface().bounds();
-  for (const Vector& corner : bodies[owner].outline()) {
+  const std::vector<Vector>& outline = bodies[owner].outline();
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vector& corner = outline[k];
     if (corner.x < box.x_min - distance || corner.x > box.x_max + distance ||
         corner.y < box.y_min - distance || corner.y > box.y_max + distance)
       continue;
-    const BodySurface::Nearest nearest = bodies[other].surface().nearest(corner);
-    if (nearest.distance >= distance)
+    const auto face =
+        touched_face(bodies[other].surface(), outline[(k + outline.size() - 1) % outline.size()], corner,
+                     outline[(k + 1) % outline.size()], distance);
+    if (!face)
       continue;
     CornerContact& found = corners.emplace_back();
     found.a = other; // the normal out of it points to the owner of the corner
     found.b = owner;
     found.arm_a = bodies[other].arm(corner);
     found.arm_b = bodies[owner].arm(corner);
-    found.normal = nearest.normal;
-    found.gap = nearest.distance;
+    found.normal = face->normal;
+    found.gap = face->gap;
     found.friction = friction;
   }
 }

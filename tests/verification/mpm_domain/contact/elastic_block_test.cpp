@@ -14,7 +14,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -217,23 +216,6 @@ TEST(StiffBlock, SettlesTheSameOnFinerCells) {
   RecordProperty("middle_over_fine", std::to_string(middle / fine));
 }
 
-TEST(Elastic, BodiesThatComeNearOthersAreNamed) {
-  Spec spec = flat_ground(12.0, 3.0, 0.5, {1900.0, 1e8, 0.3});
-  spec.structures = {elastic(structure(rectangle(-2.0, 0.0, -0.1, 2.0), 2000.0, 0.2), 5e7, 0.2),
-                     structure(rectangle(0.1, 0.0, 2.0, 2.0), 2000.0, 0.2)};
-  spec.structures.back().name = "wall";
-  StandingScene scene(spec);
-  EXPECT_THROW(
-      try { scene.run(0.01); } catch (const std::runtime_error& error) {
-        EXPECT_NE(std::string(error.what()).find("'block' and 'wall' have come within half a cell"),
-                  std::string::npos)
-            << error.what();
-        throw;
-      },
-      std::runtime_error);
-}
-
-/// Two elastic bodies and a rigid one, where boxes follow the soil and sides are periodic.
 TEST(Elastic, BodiesBearTheirWeightsSideBySide) {
   Spec spec = flat_ground(16.0, 4.0, 0.5, {1900.0, 1e8, 0.3});
   spec.sides = Sides::periodic;

@@ -1,6 +1,6 @@
-// Elastic bodies against others: a stack bears with the weight of all and goes down as one body of its outline
-// does, bars exchange their velocities, blocks slide on each other with the friction between them, momentum is
-// exact whatever meets, and a stack goes on from a checkpoint with the same bits.
+// Elastic bodies against others: a stack bears with the weight of all and goes down as one body of its
+// outline does, bars exchange their velocities, blocks slide on each other with the friction between them,
+// momentum is exact whatever meets, and a stack goes on from a checkpoint with the same bits.
 
 #include "tests/support/saved_state.hpp"
 #include "tests/support/structure_scene.hpp"
@@ -61,15 +61,16 @@ TEST_P(ElasticStack, BearsWithTheWeightOfAll) {
     before.push_back(body.centre());
   for (int k = 0; k < 5; ++k) {
     scene.run(0.1);
-    // What a body gets from above and below bears its weight.
+    // What a body gets from above and below bears its weight. Impulses at corners of two rigid bodies are
+    // none of nodes.
+    const auto by_corners = [&](std::size_t lower) {
+      return !scene.domain.contact.is_elastic(lower) && !scene.domain.contact.is_elastic(lower + 1);
+    };
     for (std::size_t b = 0; b < before.size(); ++b) {
+      if ((b > 0 && by_corners(b - 1)) || (b < 2 && by_corners(b)))
+        continue;
       const BodyForces forces = scene.domain.contact.forces(b);
-      const double from_below = forces.normal.force.y + forces.friction.force.y;
-      const bool corners = b > 0 ? !scene.domain.contact.elastic(b) && !scene.domain.contact.elastic(b - 1)
-                                 : false;
-      const bool above = b < 2 && !scene.domain.contact.elastic(b) && !scene.domain.contact.elastic(b + 1);
-      if (!corners && !above) // impulses at corners of two rigid bodies are no nodes' forces
-        EXPECT_NEAR(from_below, weight / 3.0, 1e-4 * weight) << b;
+      EXPECT_NEAR(forces.normal.force.y + forces.friction.force.y, weight / 3.0, 1e-4 * weight) << b;
     }
   }
   for (std::size_t b = 0; b < before.size(); ++b) {
@@ -79,25 +80,22 @@ TEST_P(ElasticStack, BearsWithTheWeightOfAll) {
   }
 }
 
-/// The footing goes down under a load on the head as under the same load on itself, with the head's weight in
-/// its own.
-TEST_P(ElasticStack, PassesALoadOn) {
-  std::vector<Vector> ways;
-  for (const char* loaded : {"head", "footing"}) {
-    Spec spec = stack(GetParam());
-    spec.structure_loads = {{loaded, {0.0, -60e3}}};
-    const std::vector<StaticStage> stages{
-        LoadSettings{{.ramp = 1.0, .residual = 1e-9, .max_time = 60.0}, 0, true}};
-    Domain domain(spec);
-    test::rest(domain, stages, 1e-9);
-    ways.push_back({});
-    for (const Particles& set : domain.sets_of_soil())
-      for (std::size_t k = 0; k < set.size(); ++k)
-        if (std::abs(set.x_initial[k]) < 0.3 && set.y_initial[k] > -0.3)
-          ways.back() = ways.back() + 0.25 * Vector{set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
+TEST_P(ElasticStack, PassesALoadOnToTheSoil) {
+  constexpr double load = 60e3; // N/m
+  Spec spec = stack(GetParam());
+  spec.structure_loads = {{"head", {0.0, -load}}};
+  const std::vector<StaticStage> stages{
+      LoadSettings{{.ramp = 1.0, .residual = 1e-10, .max_time = 60.0}, 0, true}};
+  StandingScene scene(spec, quiet_ground(), 1e-10, stages);
+  for (int k = 0; k < 5; ++k) {
+    scene.run(0.1);
+    double on_soil = 0.0; // upward on structures, kg/s
+    for (std::size_t b = 0; b < scene.domain.contact.bodies().size(); ++b)
+      for (const ContactNode& c : scene.domain.contact.nodes(b))
+        if (!c.key.against)
+          on_soil += c.normal_impulse * c.normal.y + c.tangential_impulse * c.tangent().y;
+    EXPECT_NEAR(on_soil / scene.stepper.kick(), weight + load, 1e-4 * weight);
   }
-  EXPECT_LT(ways[1].y, -1e-3);
-  EXPECT_NEAR(ways[0].y, ways[1].y, 0.02 * std::abs(ways[1].y));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ElasticStack,
@@ -131,35 +129,37 @@ Totals totals(const Domain& domain) {
 
 /// Saint-Venant: two equal bars of which one rests exchange their velocities, after 2 L/c.
 TEST(ElasticNeighbours, BarsExchangeTheirVelocities) {
-  constexpr double length = 10.0, speed = 0.1, young = 2e8, rho = 2000.0;
-  for (const double h : {0.5, 0.25}) {
-    Spec spec = flat_ground(26.0, 2.0, h, {2000.0, 2e8, 0.2});
+  constexpr double length = 20.0, speed = 0.1, young = 2e8, rho = 2000.0;
+  std::vector<double> kept; // of the speed, m/s
+  for (const double h : {1.0, 0.5}) {
+    Spec spec = flat_ground(46.0, 2.0, h, {2000.0, 2e8, 0.2});
     spec.gravity = 0.0;
-    spec.structures = {structure(rectangle(-length - 0.5, 3.0, -0.5, 4.0), rho, 0.0),
-                       structure(rectangle(0.5, 3.0, length + 0.5, 4.0), rho, 0.0)};
+    spec.structures = {structure(rectangle(-length - 0.1, 3.0, -0.1, 5.0), rho, 0.0),
+                       structure(rectangle(0.1, 3.0, length + 0.1, 5.0), rho, 0.0)};
     for (Structure& bar : spec.structures)
       bar.stiffness = Stiffness{young, 0.0};
     Domain domain(spec);
-    Stepper stepper(domain, 0.0, quiet_ground());
     test_support::set_motion(domain, 0, {{speed, 0.0}, 0.0});
+    Stepper stepper(domain, 0.0, quiet_ground());
     const Totals start = totals(domain);
     const double contact = 2.0 * length / std::sqrt(young / rho);
     const auto go = [&](double until) {
       while (stepper.time() < until)
         stepper.step();
     };
-    const double meets = 1.0 / speed;
+    const double meets = 0.2 / speed;
     go(0.9 * meets);
     EXPECT_NEAR(domain.contact.bodies()[0].motion().velocity.x, speed, 1e-9);
     go(meets + 2.0 * contact);
-    const double after[] = {domain.contact.bodies()[0].motion().velocity.x,
-                            domain.contact.bodies()[1].motion().velocity.x};
-    EXPECT_NEAR(after[0], 0.0, (h < 0.5 ? 0.02 : 0.04) * speed);
-    EXPECT_NEAR(after[1], speed, (h < 0.5 ? 0.02 : 0.04) * speed);
+    const double after = domain.contact.bodies()[1].motion().velocity.x;
+    EXPECT_NEAR(domain.contact.bodies()[0].motion().velocity.x, speed - after, 1e-9);
+    kept.push_back(speed - after);
+    EXPECT_NEAR(after, speed, (h < 1.0 ? 0.03 : 0.07) * speed);
     EXPECT_NEAR(totals(domain).x, start.x, 1e-12 * start.size);
     EXPECT_NEAR(totals(domain).y, 0.0, 1e-12 * start.size);
-    RecordProperty(h < 0.5 ? "passed_on_fine" : "passed_on_coarse", std::to_string(after[1] / speed));
+    RecordProperty(h < 1.0 ? "passed_on_fine" : "passed_on_coarse", std::to_string(after / speed));
   }
+  EXPECT_LT(kept[1], 0.6 * kept[0]); // of first order
 }
 
 /// Bodies that meet askew, away from the soil.
@@ -168,17 +168,19 @@ TEST(ElasticNeighbours, KeepMomentumAndGainNoEnergy) {
     for (const bool both : {true, false}) {
       Spec spec = flat_ground(10.0, 2.0, 0.5, {2000.0, 1e8, 0.2});
       spec.gravity = 0.0;
-      spec.structures = {structure(rectangle(-3.5, 3.0, -1.0, 6.0), 2000.0, friction),
-                         structure(test_support::turned(rectangle(0.0, 3.5, 1.5, 5.5), {0.75, 4.5}, 0.3), 500.0,
-                                   friction)};
+      spec.structures = {
+          structure(rectangle(-3.5, 3.0, -1.0, 6.0), 2000.0, friction),
+          structure(test_support::turned(rectangle(0.0, 3.5, 1.5, 5.5), {0.75, 4.5}, 0.3), 500.0, friction)};
       spec.structures[1].stiffness = Stiffness{5e7, 0.2};
       if (both)
         spec.structures[0].stiffness = Stiffness{5e7, 0.2};
       Domain domain(spec);
-      Stepper stepper(domain, 0.0, quiet_ground());
       test_support::set_motion(domain, 1, {{-2.0, 0.3}, -0.2});
       test_support::set_motion(domain, 0, {{1.0, 0.1}, 0.05});
+      Stepper stepper(domain, 0.0, quiet_ground());
       const Totals start = totals(domain);
+      stepper.step(); // the ledger counts from rest
+      const double unaccounted = domain.energy.residual();
       while (stepper.time() < 0.6)
         stepper.step();
       const Totals end = totals(domain);
@@ -188,7 +190,7 @@ TEST(ElasticNeighbours, KeepMomentumAndGainNoEnergy) {
       EXPECT_LT(end.kinetic, start.kinetic);
       const EnergyLedger& ledger = domain.energy;
       EXPECT_GE(ledger.friction, 0.0);
-      EXPECT_LT(std::abs(ledger.residual()), 0.01 * start.kinetic);
+      EXPECT_NEAR(ledger.residual(), unaccounted, 0.01 * start.kinetic);
     }
 }
 
@@ -201,16 +203,21 @@ TEST(ElasticNeighbours, SlideWithTheFrictionBetweenThem) {
       spec.structures[1].outline = rectangle(-1.5, 1.0, 1.5, 2.0);
       for (Structure& one : spec.structures)
         one.friction_between = friction;
-      spec.structures.back().outline = rectangle(-1.5, 2.0, 1.5, 2.5); // flat, and so as heavily laden all over
-      const double pull = 0.3 * density * 0.5 * 3.0 * 9.81;
-      spec.structure_loads = {{"head", {pull, 0.0}, Growth{0.0, 0.01}}};
+      const double pull = 0.3 * weight / 3.0;
+      spec.structure_loads = {{"head", {pull, 0.0}, Growth{0.0, 0.1}}};
       StandingScene scene(spec, quiet_ground(), 1e-9);
-      scene.run(0.5);
-      const double way = scene.body(2).centre().x - scene.body(1).centre().x;
-      if (friction > 0.3)
-        EXPECT_NEAR(way, 0.0, 1e-4);
-      else
-        EXPECT_NEAR(way, 0.5 * 9.81 * (0.3 - friction) * 0.25, 0.05 * 0.5 * 9.81 * 0.05 * 0.25) << kinds.name;
+      const auto way = [&] { return scene.body(2).centre().x - scene.body(1).centre().x; };
+      scene.run(0.2);
+      const double before = way();
+      const double speed = scene.body(2).motion().velocity.x - scene.body(1).motion().velocity.x;
+      scene.run(0.2);
+      if (friction > 0.3) {
+        EXPECT_NEAR(way(), before, 1e-4) << kinds.name; // the stack leans a little
+        continue;
+      }
+      const double exact = speed * 0.2 + 0.5 * 9.81 * (0.3 - friction) * 0.2 * 0.2;
+      EXPECT_NEAR(way() - before, exact, 0.05 * exact) << kinds.name;
+      EXPECT_GT(way() - before, 0.01);
     }
 }
 
@@ -231,8 +238,7 @@ TEST(ElasticNeighbours, SpringBackWhenOneGoes) {
     Domain without(spec);
     test::rest(without, {}, 1e-9);
     Domain after(spec);
-    const std::vector<StaticStage> stages{
-        test::construction(spec.regions, 1e-9, 2.0, false, all)};
+    const std::vector<StaticStage> stages{test::construction(spec.regions, 1e-9, 2.0, false, all)};
     const Reactions reactions = test::rest(after, stages, 1e-9);
     EXPECT_FALSE(reactions.slipping);
     EXPECT_NEAR(settle(after), settle(without), 1e-4 * std::abs(settle(without))) << elastic;
