@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tremolo import (bodies, column, comparison, cost, deconvolution, drift, failure, figures, histories, motion, outputs,
                      pore_pressure, style, swap, timeline, verification)
-from tremolo.pictures import fronts, linings, maps, mechanism, preview, props, sections, stages
+from tremolo.pictures import contact, fronts, linings, maps, mechanism, preview, props, sections, stages
 from tremolo.soil_test import drawing, record
 from tremolo.extract import command as extract_command
 from tremolo.report import kinds, page, watch
@@ -68,9 +68,12 @@ def plot(arguments):
         yield wet
     if moved := bodies.histories(run, folder):
         yield moved
+    for name in run.bodies:
+        if drawn := contact.picture(run, folder, name, arguments.time):
+            yield drawn
     for name in run.linings:
-        for contact in (False, True):
-            if drawn := linings.picture(run, folder, name, arguments.time, contact):
+        for on_face in (False, True):
+            if drawn := linings.picture(run, folder, name, arguments.time, on_face):
                 yield drawn
     yield from sections.pictures(run, folder, arguments.time)
     if propped := props.picture(run, folder):

@@ -26,6 +26,7 @@ import h5py
 import numpy as np
 
 from tremolo import links
+from tremolo.contact_stress import ContactStress
 from tremolo.lining import Lining
 from tremolo.prop import Prop
 from tremolo.section import Section
@@ -383,6 +384,12 @@ class Run:
                 return None
             points = self._file[group][name]
             return Fields({field: points[field][()] for field in links.names(points)})
+
+    def contact_stress(self, name):
+        """Pressure and shear on the surface of a structure in each frame."""
+        self.body(name)  # refuses a name that is not there
+        with self._reading(f"the contact nodes of {name}"):
+            return ContactStress(self, name)
 
     def structures(self, index):
         """Particles of elastic structures in one frame: name -> array; None where the run has none.

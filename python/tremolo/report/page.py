@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 from tremolo import drift, outputs
-from tremolo.pictures import linings, preview, sections, stages
+from tremolo.pictures import contact, linings, preview, sections, stages
 from tremolo.report import checklist, facts, frames, kinds
 from tremolo.run import Run
 
@@ -168,8 +168,10 @@ class Report:
                 {
                     "title": title, "name": run.title, "status": run.status, "case": run.case, "model": facts.model(run),
                     "picture": _drawn(run, preview.preview), "stages": _drawn(run, stages.picture), "plan": facts.plan(run),
-                    "linings": [drawn for name in run.linings for contact in (False, True)
-                                if (drawn := _drawn(run, functools.partial(linings.picture, name=name, contact=contact)))],
+                    "contacts": [drawn for name in run.bodies
+                                 if (drawn := _drawn(run, functools.partial(contact.picture, name=name)))],
+                    "linings": [drawn for name in run.linings for on_face in (False, True)
+                                if (drawn := _drawn(run, functools.partial(linings.picture, name=name, contact=on_face)))],
                     "rings": [drawn for name in run.sections if run.section(name).centre is not None
                               if (drawn := _drawn(run, functools.partial(sections.ring, name=name)))],
                     "measures": facts.measures(run), "stage_measures": facts.stage_measures(run), "waits": facts.waits(run),

@@ -143,7 +143,7 @@ class Pictures(unittest.TestCase):
         status, paths, error = run_command("plot", run, "--time", 0.8)
         self.assertEqual((status, error), (0, ""))
         names = ["model.png", "acceleration.png", "shear_bands.png", "pore_pressure_ratio.png", "pore_water.png", "bodies.png",
-                 "drift.png", "monitor_crest.png", "energy.png", "fronts.png"]
+                 "contact_block.png", "drift.png", "monitor_crest.png", "energy.png", "fronts.png"]
         self.expect_pictures(paths, names)
         status, lines, error = run_command("compare", run, run, "--time", 0.8, "--out", self.folder / "w")
         self.assertEqual((status, error), (0, ""))

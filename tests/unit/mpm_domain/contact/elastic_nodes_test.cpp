@@ -34,6 +34,7 @@ ContactNode random_pair(Draw& draw, bool wet, double least_mass, double most_mas
   ContactNode c = random_node(draw, wet, least_mass, most_mass);
   c.body_mass = draw.decades(least_mass, most_mass);
   c.body_trial = draw.vector();
+  c.set_trial({});
   return c;
 }
 
