@@ -7,6 +7,10 @@
 #include "mpm_domain/spec/numerics.hpp"
 #include "mpm_domain/spec/structure.hpp"
 
+#include <array>
+#include <cstddef>
+#include <string_view>
+
 namespace tremolo::scene {
 
 // The domain's own choices, under their own names.
@@ -136,16 +140,37 @@ enum class OutputField {
   pore_pressure_ratio,
   darcy_velocity,
 };
+
+/// What is known of a field of frames.
+struct OutputFieldRow {
+  OutputField field;
+  std::string_view name;
+  std::string_view unit;
+  std::size_t
+      components; ///< of a particle; 0: as many as the laws have state variables, with units of their own
+  bool of_water;  ///< of pore water, which the case must have
+};
+
+/// In the order of OutputField.
+inline constexpr std::array output_fields{
+    OutputFieldRow{OutputField::displacement, "displacement", "m", 2, false},
+    OutputFieldRow{OutputField::velocity, "velocity", "m/s", 2, false},
+    OutputFieldRow{OutputField::acceleration, "acceleration", "m/s2", 2, false},
+    OutputFieldRow{OutputField::stress, "stress", "Pa", 4, false},
+    OutputFieldRow{OutputField::state, "state", "", 0, false},
+    OutputFieldRow{OutputField::pore_pressure, "pore_pressure", "Pa", 1, true},
+    OutputFieldRow{OutputField::excess_pore_pressure, "excess_pore_pressure", "Pa", 1, true},
+    OutputFieldRow{OutputField::pore_pressure_ratio, "pore_pressure_ratio", "1", 1, true},
+    OutputFieldRow{OutputField::darcy_velocity, "darcy_velocity", "m/s", 2, true},
+};
+constexpr const OutputFieldRow& row(OutputField field) {
+  return output_fields[static_cast<std::size_t>(field)];
+}
 constexpr auto words(OutputField) {
-  return word_table<OutputField>({{OutputField::displacement, "displacement"},
-                                  {OutputField::velocity, "velocity"},
-                                  {OutputField::acceleration, "acceleration"},
-                                  {OutputField::stress, "stress"},
-                                  {OutputField::state, "state"},
-                                  {OutputField::pore_pressure, "pore_pressure"},
-                                  {OutputField::excess_pore_pressure, "excess_pore_pressure"},
-                                  {OutputField::pore_pressure_ratio, "pore_pressure_ratio"},
-                                  {OutputField::darcy_velocity, "darcy_velocity"}});
+  std::array<Word<OutputField>, output_fields.size()> words{};
+  for (std::size_t k = 0; k < words.size(); ++k)
+    words[k] = {output_fields[k].field, output_fields[k].name};
+  return words;
 }
 
 /// A soil's `model`; `hyperbolic`, `mkz` and `gqh` are three ways to give one law.

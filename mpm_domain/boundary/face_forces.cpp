@@ -31,16 +31,16 @@ void add_work_of_face(std::size_t f, const FaceLoads& loads, const Ticks& ticks,
   Vector v_moving; // of those that the moving part acts on
   for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
     const Vector& v = v_of[static_cast<std::size_t>(clock)];
-    v_all = {v_all.x + v.x, v_all.y + v.y};
+    v_all = v_all + v;
     if (clock >= of_face)
-      v_moving = {v_moving.x + v.x, v_moving.y + v.y};
+      v_moving = v_moving + v;
     work.held += kicks[static_cast<std::size_t>(clock)] * steady * dot(held, v);
   }
   if (loads.motion.is_due(ticks, f)) {
     const double impulse = kicks[static_cast<std::size_t>(of_face)] * face.length;
     const double own = dot(eq6::viscous_traction(face.dashpots(), loads.motion.velocity(f)), v_moving);
     work.dashpots += impulse * own;
-    work.input += impulse * (dot({viscous.x + dynamic.x, viscous.y + dynamic.y}, v_moving) - own);
+    work.input += impulse * (dot(viscous + dynamic, v_moving) - own);
     if (!loads.supports.empty()) {
       // Springs keep what the free field gives to their far ends less what they give to the nodes.
       const SupportLoad& support = loads.supports[f];
@@ -129,14 +129,14 @@ void FaceForces::find(int clock, const Ticks& ticks, const FaceLoads& loads) {
         loads.motion.is_due(ticks, f) && clock >= of_face ? impulse_factor(clock, of_face) : 0.0;
     const double holds = steady[static_cast<std::size_t>(of_face)];
     const Vector z = dashpot_diagonal(face);
-    const Vector inertia{per_kick * face.behind.moving_mass.x, per_kick * face.behind.moving_mass.y};
+    const Vector inertia = per_kick * face.behind.moving_mass;
     const double l = face.length;
     const auto& [viscous, dynamic, held] = loads.eq6[f];
-    Vector moving{viscous.x + dynamic.x, viscous.y + dynamic.y};
+    Vector moving = viscous + dynamic;
     Vector reaction;
     if (!loads.supports.empty()) {
       const SupportLoad& support = loads.supports[f];
-      moving = {moving.x + support.spring.x, moving.y + support.spring.y};
+      moving = moving + support.spring;
       reaction = support.reaction();
     }
     loads_[f * clocks + static_cast<std::size_t>(clock)] = {

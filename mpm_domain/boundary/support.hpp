@@ -42,7 +42,7 @@ struct SupportLoad {
   Vector own, driven, spring;
   Vector far_end; ///< velocity of the far ends of springs, m/s
 
-  Vector reaction() const { return {own.x + driven.x, own.y + driven.y}; }
+  Vector reaction() const { return own + driven; }
 };
 
 class Support {

@@ -166,9 +166,8 @@ void PeriodicColumn::record(const std::vector<Row>& after) {
   const Vector v = points_.front().velocity;
   const Vector a = points_.front().acceleration;
   points_.front().stress = at_base(time_, v);
-  points_.front().stress_rate = 0.5 / dt *
-                                (at_base(time_ + dt, {v.x + dt * a.x, v.y + dt * a.y}) -
-                                 at_base(time_ - dt, {v.x - dt * a.x, v.y - dt * a.y}));
+  points_.front().stress_rate =
+      0.5 / dt * (at_base(time_ + dt, v + dt * a) - at_base(time_ - dt, v - dt * a));
   points_.front().stress_rate.xx = points_[1].stress_rate.xx;
   points_.back().stress = {points_[ids_.size()].stress.xx, 0.0, 0.0};
   points_.back().stress_rate = {points_[ids_.size()].stress_rate.xx, 0.0, 0.0};
@@ -201,7 +200,7 @@ void PeriodicColumn::record_deformation() {
   points_.front().displacement = base_displacement_;
   for (std::size_t r = 0; r < ids_.size(); ++r) {
     const Vector start = at_rest_[r].displacement;
-    points_[r + 1].displacement = {now_[r].displacement.x - start.x, now_[r].displacement.y - start.y};
+    points_[r + 1].displacement = now_[r].displacement - start;
   }
   const std::size_t top = ids_.size();
   points_[top + 1].displacement = points_[top].displacement;

@@ -14,7 +14,7 @@
 namespace tremolo::mpm_domain {
 
 void ContactNodes::bear_on(const BodySurface& surface, const Vector& centre, double h) {
-  const auto arm = [&](const Vector& place) { return Vector{place.x - centre.x, place.y - centre.y}; };
+  const auto arm = [&](const Vector& place) { return place - centre; };
   for (ContactNode& c : nodes_) {
     const auto foot = surface.foot(c.place, {-c.normal.x, -c.normal.y});
     if (!foot)
@@ -23,8 +23,8 @@ void ContactNodes::bear_on(const BodySurface& surface, const Vector& centre, dou
       c.arm = arm(foot->place);
       continue;
     }
-    const double along = dot(c.normal, {foot->place.x - c.place.x, foot->place.y - c.place.y});
-    c.arm = {c.arm.x + along * c.normal.x, c.arm.y + along * c.normal.y};
+    const double along = dot(c.normal, foot->place - c.place);
+    c.arm = c.arm + along * c.normal;
   }
   for (const BodySurface::Toe& toe : surface.toes()) {
     const Vector end = arm(toe.place);
@@ -32,7 +32,7 @@ void ContactNodes::bear_on(const BodySurface& surface, const Vector& centre, dou
       ContactNode* nearest = nullptr;
       double least = h * h;
       for (ContactNode& c : nodes_) {
-        const double distance2 = square({c.arm.x - end.x, c.arm.y - end.y});
+        const double distance2 = square(c.arm - end);
         if (BodySurface::faces(out, {-c.normal.x, -c.normal.y}) && distance2 < least) {
           least = distance2;
           nearest = &c;

@@ -31,7 +31,7 @@ BodySurface::BodySurface(std::vector<Vector> points) : points_(std::move(points)
 
 Vector BodySurface::normal_of_edge_to(std::size_t k) const {
   const Vector from = points_[before(k)];
-  const Vector edge{points_[k].x - from.x, points_[k].y - from.y};
+  const Vector edge = points_[k] - from;
   const double per_length = 1.0 / std::hypot(edge.x, edge.y);
   return {edge.y * per_length, -edge.x * per_length};
 }
@@ -56,12 +56,12 @@ BodySurface::Nearest BodySurface::nearest(const Vector& place) const {
   bool corner = false;
   for (std::size_t i = 0, j = points_.size() - 1; i < points_.size(); j = i++) {
     const Vector a = points_[j];
-    const Vector edge{points_[i].x - a.x, points_[i].y - a.y};
-    const Vector from_a{place.x - a.x, place.y - a.y};
+    const Vector edge = points_[i] - a;
+    const Vector from_a = place - a;
     const double length2 = dot(edge, edge);
     const double along = dot(from_a, edge) / length2;
     const double t = std::clamp(along, 0.0, 1.0);
-    const Vector to{from_a.x - t * edge.x, from_a.y - t * edge.y};
+    const Vector to = from_a - t * edge;
     const double distance2 = dot(to, to);
     if (distance2 < least) {
       least = distance2;
@@ -90,11 +90,11 @@ std::optional<BodySurface::Foot> BodySurface::foot(const Vector& place, const Ve
     if (!faces(normal_of_edge_to(k), direction))
       continue;
     const Vector a = points_[before(k)];
-    const Vector edge{points_[k].x - a.x, points_[k].y - a.y};
-    const double along = dot({place.x - a.x, place.y - a.y}, edge) / dot(edge, edge);
+    const Vector edge = points_[k] - a;
+    const double along = dot(place - a, edge) / dot(edge, edge);
     const double t = std::clamp(along, 0.0, 1.0);
-    const Vector foot{a.x + t * edge.x, a.y + t * edge.y};
-    const double distance2 = square({place.x - foot.x, place.y - foot.y});
+    const Vector foot = a + t * edge;
+    const double distance2 = square(place - foot);
     if (distance2 < least) {
       least = distance2;
       found = Foot{foot, t != along && kinds_[along < 0.0 ? before(k) : k] == Point::toe};

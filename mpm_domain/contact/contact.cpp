@@ -43,8 +43,7 @@ ContactWork add_to_water(Grid& grid, const ContactNode& c, double density, doubl
   const Vector drag{push * grid.water_force_x[n] - c.water_mass * (c.water_trial.x - c.water_before.x),
                     push * grid.water_force_y[n] - c.water_mass * (c.water_trial.y - c.water_before.y)};
   return {.kinetic = 0.5 * c.water_mass * (square(water) - square(before)),
-          .drag =
-              0.5 * dot(drag, {c.water_change.x - c.solid_change.x, c.water_change.y - c.solid_change.y})};
+          .drag = 0.5 * dot(drag, c.water_change - c.solid_change)};
 }
 
 /// Gives a node its change of motion; water that does not move by itself goes along.
@@ -144,7 +143,7 @@ void Contact::add_forces_of(std::size_t body, double dt, std::span<Vector> nodes
 }
 
 RigidLoad Contact::load(std::size_t body) const {
-  return {loads_[body].force + of_props_[body].force, loads_[body].moment + of_props_[body].moment};
+  return loads_[body] + of_props_[body];
 }
 
 Vector Contact::pull(std::size_t body) const {
@@ -267,7 +266,7 @@ ContactWork Contact::meet(Ground& ground, double dt) {
   for (const CornerContact& c : corners_) {
     const Vector a = middle[c.a].at(c.arm_a);
     const Vector b = middle[c.b].at(c.arm_b);
-    const Vector slip{b.x - a.x, b.y - a.y};
+    const Vector slip = b - a;
     work.impact -= dot(c.impulse(), slip);
     work.friction -= c.tangential_impulse * dot({-c.normal.y, c.normal.x}, slip);
   }
@@ -381,7 +380,7 @@ double Contact::meet_remapped(Ground& ground) {
       if (touches) {
         const double through = dot(c.normal, flow);
         power += through * dot(c.normal, {grid.water_force_x[n], grid.water_force_y[n]});
-        flow = {flow.x - through * c.normal.x, flow.y - through * c.normal.y};
+        flow = flow - through * c.normal;
       }
       grid.flux_x[n] = grid.vx_strain[n] + flow.x;
       grid.flux_y[n] = grid.vy_strain[n] + flow.y;

@@ -64,9 +64,7 @@ double Contact::relax_rigid(std::size_t body, double keep, double gain) {
   const double inertia = b.mass() / gain;
   const double radius2 = b.inertia() / b.mass();
   const double turn = u.spin - keep * last.spin;
-  return inertia * inertia *
-         (square({u.velocity.x - keep * last.velocity.x, u.velocity.y - keep * last.velocity.y}) +
-          radius2 * turn * turn);
+  return inertia * inertia * (square(u.velocity - keep * last.velocity) + radius2 * turn * turn);
 }
 
 void Contact::end_rest() {

@@ -23,7 +23,7 @@ double length(const Vector& v) {
 
 Vector unit(const Vector& v) {
   const double scale = 1.0 / length(v);
-  return {scale * v.x, scale * v.y};
+  return scale * v;
 }
 
 /// Whether particles of a block may lie in a box.
@@ -177,7 +177,7 @@ void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
     const Particles& p = ground.sets[meeting.near[n].set];
     const std::size_t k = meeting.near[n].index;
     Sums& sums = sums_[place];
-    sums.gradient = {sums.gradient.x + gradient.x, sums.gradient.y + gradient.y};
+    sums.gradient = sums.gradient + gradient;
     sums.volume += vs;
     sums.friction += vs * (meeting.other ? meeting.other->friction : structure.friction[p.soil_index]);
     sums.adhesion += meeting.other ? 0.0 : vs * structure.adhesion[p.soil_index];
@@ -185,7 +185,7 @@ void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
                                           touch.gap <= sums.least_gap + surface_layer * 2.0 * p.half_size) {
       sums.surface += vs;
       sums.gap += vs * touch.gap;
-      sums.facing = {sums.facing.x + vs * touch.normal.x, sums.facing.y + vs * touch.normal.y};
+      sums.facing = sums.facing + vs * touch.normal;
     }
     if (!p.traits.wet)
       continue;
@@ -195,8 +195,7 @@ void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
       continue;
     const double excess = excess_pressure(p, k);
     sums.sealed += vs;
-    sums.sealed_force = {sums.sealed_force.x + excess * gradient.x,
-                         sums.sealed_force.y + excess * gradient.y};
+    sums.sealed_force = sums.sealed_force + excess * gradient;
   }
 }
 
@@ -219,7 +218,7 @@ void ContactNodes::find(Ground& ground, const BodySurface& surface, const Vector
     }
   placed_ = true;
   for (ContactNode& c : nodes_)
-    c.arm = {c.place.x - centre.x, c.place.y - centre.y};
+    c.arm = c.place - centre;
   if (own == nullptr)
     bear_on(surface, centre, ground.finest_lattice().h);
 }
@@ -369,7 +368,7 @@ void ContactNodes::take_trial(const Ground& ground, double dt) {
       c.full_water += full;
       // Water at a wall has the wall's normal velocity, but reads some of its neighbourhood's flow from the
       // particles: this is stopped anew in every step, and no stress between grains.
-      const Vector flow{c.water_before.x - c.solid_before.x, c.water_before.y - c.solid_before.y};
+      const Vector flow = c.water_before - c.solid_before;
       c.free_impulse += full * dot(c.normal, c.solid_before) + c.water_mass * dot(c.normal, flow) +
                         dt * dot(c.normal, {grid.water_force_x[c.node], grid.water_force_y[c.node]});
       const double ratio = c.water_mass / c.solid_mass;

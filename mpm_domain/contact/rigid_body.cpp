@@ -20,7 +20,7 @@ std::vector<Vector> counter_clockwise(std::vector<Vector> corners) {
 
 std::vector<Vector> from(const Vector& origin, std::vector<Vector> corners) {
   for (Vector& corner : corners)
-    corner = {corner.x - origin.x, corner.y - origin.y};
+    corner = corner - origin;
   return corners;
 }
 
@@ -78,7 +78,7 @@ void RigidBody::add_pressure(RigidLoad& load, const WaterAround& water) const {
       const Vector at{a.x + (part + 0.5) * along.x, a.y + (part + 0.5) * along.y};
       const double p = std::max(water.unit_weight * (water.head.at(at.x, at.y).head - at.y), 0.0);
       const Vector push{-p * along.y, p * along.x}; // the outline runs counter-clockwise
-      load.force = {load.force.x + push.x, load.force.y + push.y};
+      load.force = load.force + push;
       load.moment += cross(arm(at), push);
     }
   }
@@ -101,7 +101,7 @@ RigidLoad RigidBody::load(double gravity, const std::optional<WaterAround>& wate
 }
 
 void RigidBody::move(double dt) {
-  centre_ = {centre_.x + dt * motion_.velocity.x, centre_.y + dt * motion_.velocity.y};
+  centre_ = centre_ + dt * motion_.velocity;
   tilt_ += dt * motion_.spin;
   surface_.place(turned(corners_));
 }

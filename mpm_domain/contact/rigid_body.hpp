@@ -38,6 +38,10 @@ struct RigidMotion {
 struct RigidLoad {
   Vector force;        ///< N/m
   double moment = 0.0; ///< N
+
+  friend RigidLoad operator+(const RigidLoad& a, const RigidLoad& b) {
+    return {a.force + b.force, a.moment + b.moment};
+  }
 };
 
 /// Undisturbed water around a body.
@@ -68,7 +72,7 @@ public:
   const std::vector<Vector>& outline() const { return surface_.points(); }
   /// Corners of its hole now.
   std::vector<Vector> hole() const;
-  Vector arm(const Vector& place) const { return {place.x - centre_.x, place.y - centre_.y}; }
+  Vector arm(const Vector& place) const { return place - centre_; }
 
   /// Weight and, with water around it, buoyancy.
   RigidLoad load(double gravity, const std::optional<WaterAround>& water) const;

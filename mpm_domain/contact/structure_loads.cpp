@@ -80,7 +80,7 @@ void StructureLoads::add_up() {
   std::ranges::fill(on_, Vector{});
   for (const Load& load : loads_) {
     Vector& sum = on_[load.structure];
-    sum = {sum.x + load.share * load.force.x, sum.y + load.share * load.force.y};
+    sum = sum + load.share * load.force;
   }
 }
 

@@ -52,7 +52,7 @@ void HeldForces::over_nodes(const Ground& ground, double share, const Act& act) 
     const Lattice& lattice = ground.lattice(level);
     act(lattice.index(i + first_in_model(ground.spec.box.x_min, lattice.x0, lattice.h),
                       j + first_in_model(ground.spec.box.y_min, lattice.y0, lattice.h)),
-        Vector{share * force.x, share * force.y});
+        share * force);
   }
 }
 

@@ -114,7 +114,7 @@ std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, co
   std::vector<Vector> lacking(f1.size());
   const std::size_t soil_nodes = after.bodies.empty() ? f1.size() : after.bodies.front().lattice.first;
   for (std::size_t n = 0; n < soil_nodes; ++n)
-    lacking[n] = {f0[n].x - f1[n].x, f0[n].y - f1[n].y};
+    lacking[n] = f0[n] - f1[n];
   for (std::size_t b = 0; b < after.contact.bodies().size(); ++b) {
     const Lattice* const own = lattice_of(after, b);
     if (own == nullptr)
@@ -124,7 +124,7 @@ std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, co
     for (std::size_t n = 0; n < own->count(); ++n) {
       const Vector had = there == nullptr ? Vector{} : f0[there->first + n];
       const Vector has = f1[own->first + n];
-      lacking[own->first + n] = {had.x - has.x, had.y - has.y};
+      lacking[own->first + n] = had - has;
     }
   }
   return lacking;
@@ -134,10 +134,7 @@ std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after,
                                       std::span<const RigidLoad> of_going) {
   std::vector<RigidLoad> gone(of_going.begin(), of_going.end());
   before.props.add_loads_of_removed(before, before.contact, after.props, gone);
-  const auto with_gone = [&](std::size_t body) {
-    const RigidLoad& own = before.contact.weight(body);
-    return RigidLoad{own.force + gone[body].force, own.moment + gone[body].moment};
-  };
+  const auto with_gone = [&](std::size_t body) { return before.contact.weight(body) + gone[body]; };
   std::vector<RigidLoad> weights;
   for (const RigidBody& body : after.contact.bodies()) {
     const auto former = structure_of(before, body.name());

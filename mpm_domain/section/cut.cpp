@@ -21,12 +21,8 @@ constexpr double bearing_reach = 3.5;
 /// How far beyond the ends of the cut: other parts of the body may stand there.
 constexpr double beyond_ends = 1.0;
 
-Vector difference(const Vector& a, const Vector& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-
 Vector unit(const CutLine& line) {
-  const Vector way = difference(line.to, line.from);
+  const Vector way = line.to - line.from;
   const double length = std::hypot(way.x, way.y);
   return {way.x / length, way.y / length};
 }
@@ -54,12 +50,12 @@ void add(Passing& to, const Particles& p, std::size_t k, const Lattice& lattice,
   const Vector axis = cut.axis();
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) {
-      const Vector arm = difference(
-          {lattice.x0 + lattice.h * (wx.base + i), lattice.y0 + lattice.h * (wy.base + j)}, cut.middle);
+      const Vector arm =
+          Vector{lattice.x0 + lattice.h * (wx.base + i), lattice.y0 + lattice.h * (wy.base + j)} - cut.middle;
       const double weight = p.volume[k] * share_ahead(dot(arm, axis), axis, lattice.h);
       const Vector slope{weight * wx.g[i] * wy.s[j], weight * wx.s[i] * wy.g[j]};
       const Vector force{p.sxx[k] * slope.x + p.sxy[k] * slope.y, p.sxy[k] * slope.x + p.syy[k] * slope.y};
-      to.force = {to.force.x + force.x, to.force.y + force.y};
+      to.force = to.force + force;
       to.moment += cross(arm, force);
     }
 }
@@ -89,7 +85,7 @@ Cut::Cut(const CutLine& line, std::span<const Particles> sets, double h)
   const CutPlace start{middle(line), unit(line), 0.0};
   for (std::size_t s = 0; s < sets.size(); ++s)
     for (std::size_t k = 0; k < sets[s].size(); ++k) {
-      const Vector offset = difference({sets[s].x[k], sets[s].y[k]}, start.middle);
+      const Vector offset = Vector{sets[s].x[k], sets[s].y[k]} - start.middle;
       const double ahead = std::abs(dot(offset, start.axis()));
       if (std::abs(dot(offset, start.along)) > 0.5 * length_ + beyond_ends * h || ahead > bearing_reach * h)
         continue;
@@ -114,14 +110,14 @@ CutPlace Cut::place(std::span<const Particles> sets, double back) const {
   Vector now;
   for (const Neighbour& guide : guides_) {
     const Vector x = at(guide);
-    before = {before.x + share * guide.offset.x, before.y + share * guide.offset.y};
-    now = {now.x + share * x.x, now.y + share * x.y};
+    before = before + share * guide.offset;
+    now = now + share * x;
   }
   double sine = 0.0;
   double cosine = 0.0;
   for (const Neighbour& guide : guides_) {
-    const Vector arm = difference(guide.offset, before);
-    const Vector turned = difference(at(guide), now);
+    const Vector arm = guide.offset - before;
+    const Vector turned = at(guide) - now;
     sine += cross(arm, turned);
     cosine += dot(arm, turned);
   }

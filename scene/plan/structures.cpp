@@ -2,6 +2,8 @@
 
 #include "mesh/polygon_measures.hpp"
 #include "mpm_domain/spec/structure.hpp"
+#include "scene/plan/levels.hpp"
+#include "scene/plan/step/step_limit.hpp"
 #include "scene/soils/water_table.hpp"
 #include "scene/sweep.hpp"
 #include "scene/thickness.hpp"
@@ -163,6 +165,30 @@ std::string contact_text(std::span<const PlannedStructure> structures) {
                      nodes, bytes / 1e3, nodes * contact_node_cost_ns / 1e3);
 }
 
+namespace {
+
+/// What a lining in the place of an elastic ring would save; nothing where the walls are no beams.
+/// @param thin  thickness of the thinnest place, m
+std::string lining_text(const Case& scene, std::size_t structure, double thin) {
+  const Structure& ring = scene.structures[structure];
+  const Box around = box_of(ring.outline.corners);
+  constexpr double thickest_beam = 0.2; // of the width
+  if (!ring.stiffness || !ring.hole ||
+      thin > thickest_beam * std::min(around.width(), around.y_max - around.y_min))
+    return "";
+  Case without = scene;
+  without.structures[structure].stiffness.reset();
+  const double h = contact_cell_size(scene);
+  constexpr double cells_that_bend = 4.0;
+  const double small = std::min(h, thin / cells_that_bend);
+  return fmt::format(
+      "    lining     a [[lining]] in its place bends on these cells with a critical step of {:.3g} s; "
+      "solid, it bends on cells of {:.3g} m, with {:.3g} s\n",
+      critical_time_step(without, levels(without)), small, critical_step(ring, small));
+}
+
+} // namespace
+
 std::string structures_text(const Case& scene, std::span<const PlannedStructure> structures) {
   const double h = contact_cell_size(scene);
   std::string text;
@@ -170,12 +196,13 @@ std::string structures_text(const Case& scene, std::span<const PlannedStructure>
     const PlannedStructure& planned = structures[i];
     const auto& hole = scene.structures[i].hole;
     const double thin = thickness(scene.structures[i].outline.corners, hole ? hole->corners : Polygon{});
-    text += fmt::format("  {:<18}{}, {:.4g} m2 of {:g} kg/m3: {:.6g} kg/m, {}; about {:.0f} contact nodes\n"
-                        "    thickness  {:.3g} m at the thinnest place, {:.3g} cells of {:g} m\n"
-                        "    surface    {}\n",
-                        planned.name, kind_text(scene.structures[i]), planned.area,
-                        scene.structures[i].density, planned.mass, weight_text(planned),
-                        planned.contact_nodes, thin, thin / h, h, surface_text(scene, scene.structures[i]));
+    text +=
+        fmt::format("  {:<18}{}, {:.4g} m2 of {:g} kg/m3: {:.6g} kg/m, {}; about {:.0f} contact nodes\n"
+                    "    thickness  {:.3g} m at the thinnest place, {:.3g} cells of {:g} m\n"
+                    "    surface    {}\n{}",
+                    planned.name, kind_text(scene.structures[i]), planned.area, scene.structures[i].density,
+                    planned.mass, weight_text(planned), planned.contact_nodes, thin, thin / h, h,
+                    surface_text(scene, scene.structures[i]), lining_text(scene, i, thin));
   }
   return text;
 }

@@ -32,7 +32,7 @@ Checkpoints read_checkpoints(Document& document, Findings& findings) {
 }
 
 bool is_of_water(OutputField field) {
-  return field >= OutputField::pore_pressure;
+  return row(field).of_water;
 }
 
 Output read_output(Document& document, const Case& scene, Findings& findings) {

@@ -135,9 +135,7 @@ void RigidBase::push(Ground& ground, const Ticks& ticks, int clock, std::span<co
 void RigidBase::release_water(Ground& ground, int clock, std::span<const NodeRange> rows) const {
   const Vector a = seen_[static_cast<std::size_t>(clock)].acceleration;
   const double density = density_of_flow(ground);
-  ground.workers.run(rows.size(), [&](std::size_t row) {
-    pull_water(ground.grid, rows[row], {density * a.x, density * a.y});
-  });
+  ground.workers.run(rows.size(), [&](std::size_t row) { pull_water(ground.grid, rows[row], density * a); });
 }
 
 ExactSums<1> RigidBase::power(Ground& ground, int clock, std::span<const NodeRange> rows) const {

@@ -5,15 +5,7 @@
 
 namespace tremolo::mpm_domain {
 
-namespace {
-
 using eq6::Vector;
-
-Vector added(const Vector& a, double factor, const Vector& b) {
-  return {a.x + factor * b.x, a.y + factor * b.y};
-}
-
-} // namespace
 
 LayerCorner::LayerCorner(const CornerShape& shape)
     : shape_(shape), cells_(static_cast<std::size_t>(shape.cells)), size_(shape.depth / shape.cells),
@@ -29,7 +21,7 @@ LayerCorner::LayerCorner(const CornerShape& shape)
 void LayerCorner::advance(double dt, const Vector& corner_velocity, const LayerEndNodes& side,
                           const LayerEndNodes& base) {
   v_.front() = corner_velocity;
-  u_.front() = added(u_.front(), dt, corner_velocity);
+  u_.front() = u_.front() + dt * corner_velocity;
   for (std::size_t j = 0; j < cells_; ++j)
     for (std::size_t i = j == 0 ? 1 : 0; i < cells_; ++i) {
       const std::size_t n = node(i, j);
@@ -38,7 +30,7 @@ void LayerCorner::advance(double dt, const Vector& corner_velocity, const LayerE
       if (j == 0 || i == 0) {
         const LayerEndNodes& layer = j == 0 ? side : base;
         mass += layer.mass[i + j];
-        force = added(force, 1.0, layer.force[i + j]);
+        force = force + layer.force[i + j];
       }
       move_node(i, j, dt, mass, force);
     }
@@ -95,22 +87,22 @@ void LayerCorner::strain_element(std::size_t column, std::size_t row, std::span<
     for (std::size_t h = 0; h < gauss.size(); ++h) {
       const Vector uz = element.down(u, gauss[h]);
       auto& [qx, qz] = memory.q[gauss.size() * g + h];
-      const Vector ex = added(ux, -across[h].rate, remember(qx, across[h].decay, ux));
-      const Vector ez = added(uz, -down[g].rate, remember(qz, down[g].decay, uz));
+      const Vector ex = ux - across[h].rate * remember(qx, across[h].decay, ux);
+      const Vector ez = uz - down[g].rate * remember(qz, down[g].decay, uz);
       const double sxz = shear * (ez.x + ex.y);
-      on_x[g] = added(on_x[g], 1.0, {p_modulus * ex.x + lame * ez.y, sxz});
-      on_z[h] = added(on_z[h], 1.0, {sxz, p_modulus * ez.y + lame * ex.x});
+      on_x[g] = on_x[g] + Vector{p_modulus * ex.x + lame * ez.y, sxz};
+      on_z[h] = on_z[h] + Vector{sxz, p_modulus * ez.y + lame * ex.x};
     }
   }
   std::array<Vector, 4> force{};
   for (std::size_t g = 0; g < gauss.size(); ++g) {
     const Vector sx = remember(memory.sx[g], stress_decay, on_x[g]);
     const Vector sz = remember(memory.sz[g], stress_decay, on_z[g]);
-    element.pull_across(force, gauss[g], added(on_x[g], down[g].rate, sx));
-    element.pull_down(force, gauss[g], added(on_z[g], across[g].rate, sz));
+    element.pull_across(force, gauss[g], on_x[g] + down[g].rate * sx);
+    element.pull_down(force, gauss[g], on_z[g] + across[g].rate * sz);
   }
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    force_[nodes[k]] = added(force_[nodes[k]], 1.0, force[k]);
+    force_[nodes[k]] = force_[nodes[k]] + force[k];
 }
 
 void LayerCorner::add_state(SavedNumbers& state) {

@@ -44,7 +44,7 @@ void LayerJoint::advance(double dt, Vector side_velocity, Vector base_velocity, 
 }
 
 void LayerJoint::pull(LayerLattice& side_layer, LayerLattice& base_layer) const {
-  const Vector half = {0.5 * corner_.corner_force().x, 0.5 * corner_.corner_force().y};
+  const Vector half = 0.5 * corner_.corner_force();
   side_layer.add_corner_force(side_end, to_side(half));
   base_layer.add_corner_force(base_end(), of_base(half));
 }

@@ -58,7 +58,7 @@ LoadedEdge edge_of(const LoadedFace& face, const Ground& ground) {
 
 /// From one place to another. Where sides are periodic, to the nearest image of it.
 Vector way(Vector from, Vector to, const Spec& spec) {
-  Vector w{to.x - from.x, to.y - from.y};
+  Vector w = to - from;
   const double period = spec.box.x_max - spec.box.x_min;
   if (spec.periodic())
     w.x -= period * std::round(w.x / period);
@@ -127,7 +127,7 @@ void SurfaceLoads::follow(const Ground& ground) {
     const auto to_cut = [&](std::size_t f, std::size_t next) {
       const Vector w = way(edges[f].middle, edges[next].middle, ground.spec);
       const double part = edges[f].half / (edges[f].half + edges[next].half);
-      return Vector{part * w.x, part * w.y};
+      return part * w;
     };
     for (std::size_t f = 0; f < count; ++f) {
       // The ends of the line go on as it goes before them.

@@ -58,7 +58,7 @@ void close(Ground& ground, const Boundary& boundary, Reactions& reactions) {
     const BoundaryFace& face = boundary.faces()[f];
     const double load = -face.length * boundary.soil()[f].excess;
     if (ground.sets[face.set].traits.flowing)
-      push(grid, boundary.weights(f), {load * face.ground.normal.x, load * face.ground.normal.y}, reactions);
+      push(grid, boundary.weights(f), load * face.ground.normal, reactions);
   }
   const LeaningSides& lean = boundary.lean();
   for (std::size_t e = 0; e < lean.edges().size(); ++e)

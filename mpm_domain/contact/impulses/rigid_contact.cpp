@@ -177,7 +177,7 @@ RigidMotion pushed(double mass, double inertia, const RigidMotion& trial,
     const Vector t = p.tangent();
     const Vector j{p.normal_impulse * p.normal.x + p.tangential_impulse * t.x,
                    p.normal_impulse * p.normal.y + p.tangential_impulse * t.y};
-    impulse = {impulse.x + j.x, impulse.y + j.y};
+    impulse = impulse + j;
     turn += cross(p.arm, j);
   }
   return {{trial.velocity.x + impulse.x / mass, trial.velocity.y + impulse.y / mass},

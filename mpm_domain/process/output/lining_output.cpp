@@ -23,7 +23,7 @@ Vector middle_of(const SurfaceSegment& segment, const Beam& beam) {
   Vector sum{};
   for (const SurfacePoint& point : segment.points) {
     const Vector at = place(point, beam);
-    sum = {sum.x + at.x, sum.y + at.y};
+    sum = sum + at;
   }
   const auto count = static_cast<double>(segment.points.size());
   return {sum.x / count, sum.y / count};

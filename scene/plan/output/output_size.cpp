@@ -17,45 +17,39 @@ namespace tremolo::scene {
 
 namespace {
 
-// What run.h5 takes without a row or a frame: attributes, room for the links of groups; with structures the
-// frames of /contact have such room too. Room for a link is used up by more than 4,096 frames.
+// What run.h5 takes without a row or a frame: attributes, room for the links of groups; what frames have
+// beside soil, /contact and /structures, has such room too. Room for a link is used up by more than 4,096
+// frames.
 constexpr double empty_run_bytes = 180e3;
-constexpr double empty_contact_bytes = 170e3;
+constexpr double empty_part_bytes = 170e3;
 constexpr double frame_bytes = 300.0; // its group, time and link
 constexpr double xdmf_field_bytes = 300.0;
 constexpr double other_tables_bytes = 80e3; // the plan, timings, processes and the timeline
 constexpr std::size_t name_bytes = 64;      // of a column and its unit, in texts of equal length
+
+/// State variables of all laws; one of several soils is one array.
+std::size_t state_variable_count(const Case& scene) {
+  std::set<std::string_view> names;
+  for (const Soil& soil : domain_soils(scene))
+    for (const materials::StateVariable& variable : materials::state_variables(soil.law))
+      if (!variable.internal)
+        names.insert(variable.name);
+  return names.size();
+}
 
 /// Numbers of a particle in each array of a frame; the first are written always.
 std::vector<double> particle_arrays(const Case& scene) {
   std::vector<double> arrays{2.0, 0.5}; // position; soil, an integer of 4 bytes
   if (!scene.mesh.refine.empty())
     arrays.push_back(1.0); // size
-  for (const OutputField field : scene.output.fields)
-    switch (field) {
-    case OutputField::stress:
-      arrays.insert(arrays.end(), {4.0, 1.0}); // with the volume
-      break;
-    case OutputField::state: {
-      std::set<std::string_view> names; // a variable of several soils is one array
-      for (const Soil& soil : domain_soils(scene))
-        for (const materials::StateVariable& variable : materials::state_variables(soil.law))
-          if (!variable.internal && names.insert(variable.name).second)
-            arrays.push_back(1.0);
-      break;
-    }
-    case OutputField::pore_pressure:
-    case OutputField::excess_pore_pressure:
-    case OutputField::pore_pressure_ratio:
-      arrays.push_back(1.0);
-      break;
-    case OutputField::displacement:
-    case OutputField::velocity:
-    case OutputField::acceleration:
-    case OutputField::darcy_velocity:
-      arrays.push_back(2.0);
-      break;
-    }
+  for (const OutputField field : scene.output.fields) {
+    if (field == OutputField::state)
+      arrays.insert(arrays.end(), state_variable_count(scene), 1.0);
+    else
+      arrays.push_back(static_cast<double>(row(field).components));
+    if (field == OutputField::stress)
+      arrays.push_back(1.0); // the volume
+  }
   return arrays;
 }
 
@@ -84,6 +78,17 @@ double frame_of_contact(const Case& scene) {
   const double values =
       (8.0 * static_cast<double>(mpm_domain::numbers_of_contact_node) + 4.0) * most_contact_nodes(scene);
   return frame_bytes + values + arrays * array_overhead_bytes(values / arrays);
+}
+
+bool has_elastic_structure(const Case& scene) {
+  return std::ranges::any_of(scene.structures,
+                             [](const Structure& one) { return one.stiffness.has_value(); });
+}
+
+/// What elastic structures take besides what is counted for their particles as if they were soil.
+double frame_of_structures(const Case& scene) {
+  constexpr double arrays = 5.0;
+  return has_elastic_structure(scene) ? frame_bytes + arrays * array_overhead_bytes(0.0) : 0.0;
 }
 
 /// Segments of a lining's outer face, at most: they end at corners that turn by more than 20 degrees, of
@@ -154,9 +159,11 @@ double histories(const Case& scene, const Plan& plan) {
   return bytes;
 }
 
-/// Points along the outlines of all structures, and their holes.
-double outline_points(const Case& scene) {
-  std::size_t points = 0;
+/// Points along the outlines of all structures and their holes, axes of linings, and ends of props.
+double outline_points(const Case& scene, const Plan& plan) {
+  std::size_t points = 2 * scene.props.size();
+  for (const PlannedLining& lining : plan.linings)
+    points += lining.elements;
   const auto add = [&](const std::vector<Point>& corners, bool bends) {
     points += bends ? points_of(corners, contact_cell_size(scene)) : corners.size();
   };
@@ -179,17 +186,18 @@ double paraview_bytes(const Case& scene, const Plan& plan, double frames) {
   const double arrays = static_cast<double>(particle_arrays(scene).size()) + topology_arrays;
   return array_bytes * (arrays + topology_arrays) + frames * arrays * (naming_bytes + 8.0) +
          8.0 * static_cast<double>(plan.particles) + line_bytes * static_cast<double>(most_faces(scene)) +
-         outline_points(scene) * (frames * point_bytes + 20.0);
+         outline_points(scene, plan) * (frames * point_bytes + 20.0);
 }
 
 } // namespace
 
 double output_bytes(const Case& scene, const Plan& plan) {
   const double frames = static_cast<double>(plan.frames) + 1.0; // and the last moment's
-  return empty_run_bytes + (scene.structures.empty() ? 0.0 : empty_contact_bytes) +
-         static_cast<double>(scene.text.size()) + other_tables_bytes + histories(scene, plan) +
-         paraview_bytes(scene, plan, frames) +
-         frames * (frame_of_particles(scene, static_cast<double>(plan.particles)) + frame_of_contact(scene));
+  return empty_run_bytes + (scene.structures.empty() ? 0.0 : empty_part_bytes) +
+         (has_elastic_structure(scene) ? empty_part_bytes : 0.0) + static_cast<double>(scene.text.size()) +
+         other_tables_bytes + histories(scene, plan) + paraview_bytes(scene, plan, frames) +
+         frames * (frame_of_particles(scene, static_cast<double>(plan.particles)) + frame_of_contact(scene) +
+                   frame_of_structures(scene));
 }
 
 } // namespace tremolo::scene

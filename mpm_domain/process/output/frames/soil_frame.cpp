@@ -14,14 +14,6 @@ bool wants(const scene::Case& scene, scene::OutputField field) {
   return std::ranges::find(scene.output.fields, field) != scene.output.fields.end();
 }
 
-/// A line of what is written of it.
-struct WaterField {
-  scene::OutputField field;
-  std::string_view unit;
-  std::size_t components;
-  std::span<const double> values;
-};
-
 void add_water(SoilFrame::Water& frame, const Particles& set, std::size_t k, double speed_of_time) {
   const WaterState state = water_state(set, k);
   frame.pressure.push_back(state.pressure);
@@ -86,13 +78,10 @@ std::vector<std::string> soil_names(const Spec& spec) {
 }
 
 bool is_wanted(const scene::Case& scene, std::string_view name) {
-  if (name == "displacement")
-    return wants(scene, scene::OutputField::displacement);
-  if (name == "velocity")
-    return wants(scene, scene::OutputField::velocity);
-  if (name == "stress" || name == "volume")
+  if (name == "volume") // which stress needs
     return wants(scene, scene::OutputField::stress);
-  return true;
+  const auto* const known = std::ranges::find(scene::output_fields, name, &scene::OutputFieldRow::name);
+  return known == scene::output_fields.end() || wants(scene, known->field);
 }
 
 SoilFrame::SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, bool has_water) {
@@ -154,23 +143,23 @@ std::vector<results::Field> SoilFrame::fields(const scene::Case& scene) const {
   std::vector<results::Field> wanted{{"position", "m", 2, position}, {"soil", "1", 1, soil}};
   if (!size.empty())
     wanted.push_back({"size", "m", 1, size});
-  if (wants(scene, scene::OutputField::displacement))
-    wanted.push_back({"displacement", "m", 2, displacement});
-  if (wants(scene, scene::OutputField::acceleration))
-    wanted.push_back({"acceleration", "m/s2", 2, acceleration});
+  const auto add = [&](scene::OutputField field, std::span<const double> values) {
+    const scene::OutputFieldRow& known = scene::row(field);
+    if (wants(scene, field))
+      wanted.push_back({known.name, known.unit, known.components, values});
+  };
+  add(scene::OutputField::displacement, displacement);
+  add(scene::OutputField::acceleration, acceleration);
   for (const Carried& field : carried)
     if (is_wanted(scene, field.name))
       wanted.push_back({field.name, field.unit, field.components.size(), field.values});
   if (wants(scene, scene::OutputField::state))
     for (std::size_t v = 0; v < variables.size(); ++v)
       wanted.push_back({variables[v].name, variables[v].unit, 1, states[v]});
-  for (const auto& [field, unit, components, values] :
-       {WaterField{scene::OutputField::pore_pressure, "Pa", 1, water.pressure},
-        WaterField{scene::OutputField::excess_pore_pressure, "Pa", 1, water.excess},
-        WaterField{scene::OutputField::pore_pressure_ratio, "1", 1, water.ratio},
-        WaterField{scene::OutputField::darcy_velocity, "m/s", 2, water.flux}})
-    if (wants(scene, field))
-      wanted.push_back({scene::name(field), unit, components, values});
+  add(scene::OutputField::pore_pressure, water.pressure);
+  add(scene::OutputField::excess_pore_pressure, water.excess);
+  add(scene::OutputField::pore_pressure_ratio, water.ratio);
+  add(scene::OutputField::darcy_velocity, water.flux);
   return wanted;
 }
 
