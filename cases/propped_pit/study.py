@@ -23,6 +23,29 @@ STAGE = TEXT[TEXT.index('[[stage]]\nkind = "construction"\nname = "strut"'):TEXT
 BUILDING = TEXT[TEXT.index('[[structure]]\nname = "building"'):TEXT.index("[[prop]]")]
 SIDES = 'left = { model = "mpm" }\nright = { model = "mpm" }\nbase = { model = "mpm", form = "blended" }\n'
 ELEMENTS = {SIDES: SIDES.replace('"mpm"', '"fe"')}  # `mpm` knows vertical incidence only
+# Two cells thick, as the walls.
+SLAB = """[[structure]]
+name = "base slab"
+polygon = [[-5.0, -6.0], [5.0, -6.0], [5.0, -5.0], [-5.0, -5.0]]
+density = 2400.0
+young = 6.5e9
+poisson = 0.2
+friction = 0.5
+
+[[section]]
+name = "slab"
+structure = "base slab"
+from = [0.0, -6.0]
+to = [0.0, -5.0]
+
+"""
+SLAB_STAGE = """[[stage]]
+kind = "construction"
+name = "base slab"
+place = ["base slab"]
+
+"""
+WITH_SLAB = {"[[prop]]\n": SLAB + "[[prop]]\n", '[[stage]]\nkind = "shaking"\n': SLAB_STAGE + '[[stage]]\nkind = "shaking"\n'}
 # Folder: label, changes.
 VARIANTS = {
     "main": ("as it is", {}),
@@ -31,6 +54,7 @@ VARIANTS = {
     "weak": ("strut that yields at 120 kN/m", {"yield = 800e3\n": "yield = 120e3\n"}),
     "cantilever": ("no strut", {PROP: "", STAGE: ""}),
     "alone": ("no building", {BUILDING: ""}),
+    "slab": ("base slab of 1 m", WITH_SLAB),
     "fe": ("free field `fe`", ELEMENTS),
     "oblique": ("free field `fe`, 15 degrees", ELEMENTS | {"angle_deg = 0.0\n": "angle_deg = 15.0\n"}),
 }
