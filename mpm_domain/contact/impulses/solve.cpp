@@ -31,8 +31,12 @@ void Contact::find_shared() {
       if (c.body_mass > 0.0)
         uses_.push_back({c.body_node, b, n, true});
     }
-  std::ranges::sort(uses_, {},
-                    [](const NodeUse& use) { return std::tuple(use.node, use.body, use.at, use.own); });
+  if (bodies_.size() == 1)
+    return; // which has one contact at a node
+  const auto rest = [](const NodeUse& use) { return std::tuple(use.body, use.at, use.own); };
+  std::ranges::sort(uses_, [rest](const NodeUse& a, const NodeUse& b) {
+    return a.node != b.node ? a.node < b.node : rest(a) < rest(b);
+  });
   for (std::vector<SharedNode>& of_body : shared_)
     of_body.clear();
   for (std::size_t first = 0, end = 0; first < uses_.size(); first = end) {

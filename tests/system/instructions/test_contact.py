@@ -10,7 +10,7 @@ import sys
 
 from callgrind import Counted, require_valgrind
 
-CONTACT = "tremolo::mpm_domain::Contact::*"
+CONTACT = [f"tremolo::mpm_domain::Contact::{name}*" for name in ("meet(", "meet_remapped", "move", "follow_sort", "fastest_point")]
 BLOCKS = (8, 16, 32)  # cells across
 GROUND, LARGE_GROUND = 60, 120  # cells; the second has four times the particles
 
@@ -18,7 +18,7 @@ GROUND, LARGE_GROUND = 60, 120  # cells; the second has four times the particles
 def main():
     require_valgrind()
     taken, met = [], []
-    count = lambda block, ground: Counted(sys.argv[1], f"block:{block}:{ground}", CONTACT)
+    count = lambda block, ground: Counted(sys.argv[1], f"block:{block}:{ground}", *CONTACT)
     on_large_ground = BLOCKS[: int(sys.argv[2])] if len(sys.argv) > 2 else BLOCKS
     for block in BLOCKS:
         contact = count(block, GROUND)
