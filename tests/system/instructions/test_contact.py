@@ -10,7 +10,8 @@ import sys
 
 from callgrind import Counted, require_valgrind
 
-CONTACT = [f"tremolo::mpm_domain::Contact::{name}*" for name in ("meet(", "meet_remapped", "move", "follow_sort", "fastest_point")]
+CALLS = ("meet(", "meet_remapped", "move", "follow_sort", "fastest_point")
+CONTACT = [f"tremolo::mpm_domain::Contact::{name}*" for name in CALLS]
 BLOCKS = (8, 16, 32)  # cells across
 GROUND, LARGE_GROUND = 60, 120  # cells; the second has four times the particles
 

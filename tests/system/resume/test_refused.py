@@ -51,8 +51,8 @@ class Refused(unittest.TestCase):
 
     def test_another_schema_and_another_build_with_both(self):
         manifest = self.set / "manifest.json"
-        message = self.spoilt(manifest, '"schema_version": "1.7"', '"schema_version": "7.4"')
-        self.assertIn("schema_version is 7.4 in the checkpoint, 1.7 in this run", message)
+        message = self.spoilt(manifest, '"schema_version": "1.8"', '"schema_version": "7.4"')
+        self.assertIn("schema_version is 7.4 in the checkpoint, 1.8 in this run", message)
         build = next(line for line in manifest.read_text().splitlines() if '"build"' in line)
         message = self.spoilt(manifest, build, ' "build": "0.0.1",')
         self.assertIn("build is 0.0.1 in the checkpoint", message)
