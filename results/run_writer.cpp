@@ -223,7 +223,7 @@ public:
   }
 
   /// The frame is written and flushed before anything refers to it; then one link makes it part of the run.
-  /// What it has beside soil is there before it is.
+  /// Its parts beside the soil are linked before the frame itself is.
   void write_frame(double time, std::span<const Field> fields, std::span<const FramePart> parts) {
     if (!xdmf_) {
       throw std::invalid_argument(fmt::format("{}: this file takes no frames", path_.string()));

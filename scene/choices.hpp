@@ -141,7 +141,7 @@ enum class OutputField {
   darcy_velocity,
 };
 
-/// What is known of a field of frames.
+/// The properties of a field that frames may hold.
 struct OutputFieldRow {
   OutputField field;
   std::string_view name;

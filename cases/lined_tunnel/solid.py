@@ -33,8 +33,6 @@ ring = {{ centre = [0.0, -15.0], inner = {OUTER - THICKNESS - 0.05:g}, outer = {
 
 """
 BEAM = BONDED | {"thickness = 0.3 ": f"thickness = {THICKNESS} "}
-
-
 # Folder: label, changes, cells through the wall.
 VARIANTS = {
     "beam": ("beam, cells of 0.5 m", BEAM, "–"),

@@ -170,10 +170,8 @@ void Contact::take_bodies(const Ground& ground) {
           {met, elastic_[met]->number(),
            std::min(structures_[a].friction_between, structures_[b].friction_between)});
     }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    std::ranges::sort(others[b], {}, &OtherStructure::structure);
-    nodes_[b].meet_others(std::move(others[b]));
-  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    nodes_[b].meet_others(std::move(others[b])); // the loops found them in the order of their numbers
 }
 
 std::size_t Contact::structure_of(std::size_t elastic) const {
