@@ -10,6 +10,7 @@ import numpy as np
 import synthetic_run
 from test_pictures import run_command
 from tremolo import Run
+from with_run import WithRun
 
 SIDE, PRESSURE, SHEAR = 8.0, 5e4, 2e3  # m, Pa
 NODES = 16  # a side
@@ -30,11 +31,9 @@ def _square_of_nodes(centre, tilt):
             "friction_force": np.full(count, -SHEAR * area), "water_force": np.full(count, 0.5 * PRESSURE * area)}
 
 
-class ContactStress(unittest.TestCase):
+class ContactStress(WithRun):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.path = Path(cls.folder.name) / "run.h5"
+    def write(cls):
         synthetic_run.write(cls.path, frames=3, size=4.0, structures=True)
         corners = 0.5 * SIDE * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
         with Run(cls.path) as run:
@@ -50,14 +49,6 @@ class ContactStress(unittest.TestCase):
                 for field, values in nodes.items():
                     del frame[field]
                     frame[field] = values
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.run = Run(self.path)
-        self.addCleanup(self.run.close)
 
     def test_uniform_stress_stays_uniform_while_the_structure_turns(self):
         stress = self.run.contact_stress(self.name)

@@ -12,23 +12,17 @@ from synthetic_report import text_of_report
 from test_pictures import run_command
 from tremolo import Run, bodies, style
 from tremolo.pictures import linings
+from with_run import WithRun
 
 
-class Lining(unittest.TestCase):
+class Lining(WithRun):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.path = Path(cls.folder.name) / "run.h5"
+    def write(cls):
         synthetic_run.write(cls.path, frames=4, size=4.0)
         ring.add(cls.path, 2.0)
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
     def setUp(self):
-        self.run = Run(self.path)
-        self.addCleanup(self.run.close)
+        super().setUp()
         self.lining = self.run.lining("ring")
 
     def test_has_its_section_forces(self):

@@ -11,6 +11,7 @@ import synthetic_run
 from synthetic_report import text_of_report
 from tremolo import Run, style
 from tremolo.pictures import props
+from with_run import WithRun
 
 TIMES = np.arange(0.0, 2.0, 0.005)
 FORCE = -1e5 * (1.0 + np.sin(TIMES))  # N/m
@@ -29,23 +30,13 @@ def add(path, structure):
         series.attrs["to"] = np.bytes_("ground")
 
 
-class Prop(unittest.TestCase):
+class Prop(WithRun):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.path = Path(cls.folder.name) / "run.h5"
+    def write(cls):
         synthetic_run.write(cls.path, frames=4, size=4.0, structures=True)
         with Run(cls.path) as run:
             cls.structure = run.bodies[0]
         add(cls.path, cls.structure)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.run = Run(self.path)
-        self.addCleanup(self.run.close)
 
     def test_has_its_force_and_its_ends(self):
         self.assertEqual(["strut"], self.run.props)

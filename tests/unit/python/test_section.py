@@ -11,25 +11,16 @@ import synthetic_section as cut
 from synthetic_report import text_of_report
 from test_pictures import run_command
 from tremolo import Run
+from with_run import WithRun
 
 
-class Section(unittest.TestCase):
+class Section(WithRun):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.path = Path(cls.folder.name) / "run.h5"
+    def write(cls):
         synthetic_run.write(cls.path, frames=4, size=4.0, structures=True)
         with Run(cls.path) as run:
             cls.structure = run.bodies[0]
         cut.add(cls.path, cls.structure)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.run = Run(self.path)
-        self.addCleanup(self.run.close)
 
     def test_a_cut_has_its_forces(self):
         self.assertEqual(["foot", "ring"], self.run.sections)
