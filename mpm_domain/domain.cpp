@@ -2,8 +2,44 @@
 
 #include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/share_out.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
 
 namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Boxes around all that structures, linings, props and surface loads may touch until the next sort.
+std::vector<mesh::Rectangle> boxes_of_structures(const Domain& domain) {
+  std::vector<mesh::Rectangle> boxes;
+  for (std::size_t b = 0; b < domain.contact.bodies().size(); ++b)
+    boxes.push_back(domain.contact.bounds(b));
+  for (const LiningBody& lining : domain.linings.bodies())
+    boxes.push_back(lining.bounds());
+  for (const Props::Placed& prop : domain.props.all())
+    for (const FastenedEnd* const end : {&prop.from, &prop.to})
+      if (const auto box = end->bounds(domain))
+        boxes.push_back(*box);
+  for (const mesh::Rectangle& box : domain.loads.bounds(domain))
+    boxes.push_back(box);
+  for (mesh::Rectangle& box : boxes)
+    box = widened(box, domain.reach_of_structures());
+  return boxes;
+}
+
+/// The first rank, which knows where structures are, tells all others.
+void follow_structures(Domain& domain) {
+  std::vector<mesh::Rectangle>& boxes = domain.share->structures;
+  if (domain.has_structures_here())
+    boxes = boxes_of_structures(domain);
+  std::vector<double> numbers;
+  for (const mesh::Rectangle& box : boxes)
+    numbers.insert(numbers.end(), {box.x_min, box.y_min, box.x_max, box.y_max});
+  domain.share->ranks->follow_first(numbers);
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+    boxes[b] = {numbers[4 * b], numbers[4 * b + 1], numbers[4 * b + 2], numbers[4 * b + 3]};
+}
+
+} // namespace
 
 Domain::Domain(const Spec& specification)
     : Ground(specification), loads(*this), earthworks(*this), contact(spec), linings(*this),
@@ -16,6 +52,8 @@ Domain::Domain(const Spec& specification)
 }
 
 void sort_particles(Domain& domain) {
+  if (domain.share)
+    follow_structures(domain);
   order_particles(domain);
   domain.boundary.follow_sort(domain);
   find_reach(domain);
@@ -23,6 +61,8 @@ void sort_particles(Domain& domain) {
 
 void find_reach(Domain& domain) {
   find_reach(domain, domain.boundary.shared_nodes());
+  if (!domain.has_structures_here())
+    return;
   domain.contact.follow_sort(domain);
   domain.linings.follow_sort(domain);
 }
@@ -32,7 +72,7 @@ void make_room(Domain& domain, double time, long step) {
 }
 
 void share_out(Domain& domain, Communicator& ranks) {
-  keep_own_particles(domain, ranks);
+  keep_own_particles(domain, ranks, boxes_of_structures(domain));
   domain.boundary.follow_sort(domain);
   find_reach(domain);
 }

@@ -7,6 +7,7 @@
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
 
@@ -386,9 +387,15 @@ NodeRange Ground::row(std::size_t row) const {
   return {begin, begin + static_cast<std::size_t>(lattice(level).nx)};
 }
 
+bool Ground::has_structures_here() const {
+  return !share || share->ranks->rank() == 0;
+}
+
 bool Ground::counts(const NodeRange& nodes) const {
   if (!share)
     return true;
+  if (nodes.begin >= grid.count()) // of an elastic body
+    return has_structures_here();
   const auto columns = static_cast<std::size_t>(grid.nx);
   return share->is_mine(
       tiles.tile_of(0, static_cast<int>(nodes.begin % columns), static_cast<int>(nodes.begin / columns)));
@@ -396,6 +403,10 @@ bool Ground::counts(const NodeRange& nodes) const {
 
 double Ground::sort_distance() const {
   return mesh ? across_margin * finest_lattice().h : (is_sharp() ? sharp_sort_cells : sort_cells) * grid.h;
+}
+
+double Ground::reach_of_structures() const {
+  return 4.0 * finest_lattice().h + 2.0 * sort_distance();
 }
 
 std::size_t Ground::particle_count() const {

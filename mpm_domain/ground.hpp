@@ -142,10 +142,16 @@ struct Ground {
   NodeRange row(std::size_t row) const;
   /// Nodes whose motion is that of others: images of a period, and the tied nodes of a graded mesh.
   const Prolongation& ties() const { return mesh ? mesh->prolongation() : images; }
+  /// Whether structures, linings, props and surface loads are worked out here, not on another rank: on the
+  /// first.
+  bool has_structures_here() const;
   /// Whether nodes of one row and one tile count here, not on another rank.
   bool counts(const NodeRange& nodes) const;
   /// How far particles may move from one sort to the next, m.
   double sort_distance() const;
+  /// How far from a structure soil may lie that comes to touch it before the next sort, m: particles reach
+  /// two cells, and both they and the structure move.
+  double reach_of_structures() const;
   double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s
 };
 

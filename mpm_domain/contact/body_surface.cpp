@@ -111,4 +111,8 @@ std::vector<BodySurface::Toe> BodySurface::toes() const {
   return toes;
 }
 
+mesh::Rectangle widened(const mesh::Rectangle& box, double margin) {
+  return {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
+}
+
 } // namespace tremolo::mpm_domain

@@ -64,4 +64,7 @@ private:
   std::vector<Point> kinds_;
 };
 
+/// A box with a margin (m) around it.
+mesh::Rectangle widened(const mesh::Rectangle& box, double margin);
+
 } // namespace tremolo::mpm_domain

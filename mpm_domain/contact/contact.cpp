@@ -188,10 +188,8 @@ void Contact::follow_particles(const Ground& ground) {
 
 void Contact::follow_sort(const Ground& ground) {
   follow_particles(ground);
-  // Particles reach two cells; both they and the body move until the next sort.
-  const double margin = 4.0 * ground.finest_lattice().h + 2.0 * ground.sort_distance();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    nodes_[b].follow_sort(ground, surface(b), margin);
+    nodes_[b].follow_sort(ground, surface(b), ground.reach_of_structures());
     refuse_beyond_grid(ground, b);
     if (ground.mesh)
       refuse_coarse_cells(ground, b);

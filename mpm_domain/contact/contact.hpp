@@ -63,6 +63,7 @@ public:
   const ElasticBody* elastic(std::size_t body) const { return elastic_[body] ? &*elastic_[body] : nullptr; }
   /// The structure that is the n-th of the elastic ones.
   std::size_t structure_of(std::size_t elastic) const;
+  mesh::Rectangle bounds(std::size_t body) const { return surface(body).bounds(); }
   const std::vector<ContactNode>& nodes(std::size_t body) const { return nodes_[body].nodes(); }
   BodyForces forces(std::size_t body) const;
   double kinetic_energy() const; ///< of the rigid bodies, J/m

@@ -26,22 +26,6 @@ Vector unit(const Vector& v) {
   return scale * v;
 }
 
-/// Whether particles of a block may lie in a box.
-bool may_lie_in(const mesh::Rectangle& box, const Ground& ground, std::size_t block) {
-  const std::size_t tile = block % ground.tiles.count();
-  const Lattice& lattice = ground.tiles.lattice(ground.tiles.level_of(tile));
-  const NodeBlock nodes = ground.tiles.window(tile);
-  return lattice.x0 + nodes.column * lattice.h < box.x_max &&
-         lattice.x0 + nodes.end_column() * lattice.h > box.x_min &&
-         lattice.y0 + nodes.row * lattice.h < box.y_max &&
-         lattice.y0 + nodes.end_row() * lattice.h > box.y_min;
-}
-
-/// A box with a margin (m) around it.
-mesh::Rectangle widened(const mesh::Rectangle& box, double margin) {
-  return {box.x_min - margin, box.y_min - margin, box.x_max + margin, box.y_max + margin};
-}
-
 bool lies_in(const mesh::Rectangle& box, const Particles& p, std::size_t k) {
   return p.x[k] > box.x_min && p.x[k] < box.x_max && p.y[k] > box.y_min && p.y[k] < box.y_max;
 }
@@ -80,7 +64,8 @@ std::vector<NearParticle> particles_near(const Ground& ground, mesh::Rectangle b
   for (std::size_t s = 0; s < ground.soil_sets; ++s) {
     const Particles& p = ground.sets[s];
     for (std::size_t block = 0; block + 1 < p.block_start.size(); ++block) {
-      if (p.block_start[block] == p.block_start[block + 1] || !may_lie_in(box, ground, block))
+      if (p.block_start[block] == p.block_start[block + 1] ||
+          !ground.tiles.reaches(block % ground.tiles.count(), box))
         continue;
       for (std::size_t k = p.block_start[block]; k < p.block_start[block + 1]; ++k)
         if (lies_in(box, p, k))

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -107,7 +108,10 @@ std::vector<Pass> structure_load_passes(Ground& ground, Contact& contact) {
                             }},
                            {Phase::books, "", [&](Step& step) {
                               const double work = step.kicks.front() * power_of_loads(contact, ground);
-                              step.bookings.add([&energy = step.energy, work] { energy.static_ += work; });
+                              step.bookings.add(sums_of(std::array{work}),
+                                                [&energy = step.energy](const std::array<double, 1>& booked) {
+                                                  energy.static_ += booked[0];
+                                                });
                             }}};
   if (ground.is_remapped())
     passes.push_back({Phase::remap, "", [&](Step& step) { take_off_remap_power(contact, step); }});

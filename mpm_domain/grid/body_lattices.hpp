@@ -31,7 +31,7 @@ struct BodyLattice {
 };
 
 /// Lays the lattices around the particles of the bodies and whatever these may touch until the next sort; the
-/// fields of all nodes become zero if a lattice has changed.
+/// fields of all nodes become zero if a lattice has changed. Lattices are the same on all ranks.
 void follow_bodies(Ground& ground);
 
 /// Puts lattices of known size and column and row behind those of the soil, cuts all into tiles, and makes

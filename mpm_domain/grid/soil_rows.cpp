@@ -116,11 +116,22 @@ void touch_from_others(const Ground& ground, Rows& rows) {
           rows.touch(0, overlap(ground.tiles.owned(tile), ground.tiles.window(other)));
 }
 
+/// Images of nodes of soil, and what such images stand for: others may bring something to them.
+void touch_images(const Prolongation& images, Rows& rows) {
+  for (std::size_t r = 0; r < images.tied_count(); ++r)
+    if (rows.holds(images.tied(r)))
+      rows.touch(images.row(r).front().node);
+  for (std::size_t r = 0; r < images.tied_count(); ++r)
+    if (rows.holds(images.row(r).front().node))
+      rows.touch(images.tied(r));
+}
+
 } // namespace
 
 std::vector<NodeRange> find_soil_rows(const Ground& ground, std::span<const std::size_t> shared_nodes) {
   Rows rows(ground);
-  const bool whole = !ground.mesh && ground.spec.periodic(); // images are nodes of soil too
+  const bool has_images = !ground.mesh && ground.spec.periodic(); // they are nodes of soil too
+  const bool whole = has_images && !ground.share;
   for (const Particles& set : ground.sets)
     for (std::size_t block = 0; block < ground.block_count(); ++block) {
       const int level = ground.level_of_block(block);
@@ -143,6 +154,8 @@ std::vector<NodeRange> find_soil_rows(const Ground& ground, std::span<const std:
         for (const Share& share : ties.row(r))
           rows.touch(share.node);
   }
+  if (has_images && ground.share)
+    touch_images(ground.images, rows);
   return rows.ranges();
 }
 
@@ -150,7 +163,7 @@ std::vector<std::size_t> find_soil_ties(const Ground& ground) {
   const Prolongation& ties = ground.ties();
   std::vector<std::size_t> found(ties.tied_count());
   std::iota(found.begin(), found.end(), std::size_t{0});
-  if (ground.mesh || found.empty())
+  if (ground.mesh || ground.share || found.empty())
     return found;
   Rows rows(ground);
   const double way = ground.grid.h; // as in TileMap::window: no particle moves by more than a cell

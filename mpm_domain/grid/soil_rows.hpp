@@ -19,7 +19,8 @@ struct Ground;
 std::vector<NodeRange> find_soil_rows(const Ground& ground, std::span<const std::size_t> shared_nodes);
 
 /// The rows of Ground::ties() whose tied nodes particles may touch until the next sort, in rising order; all
-/// of a graded mesh. A narrow periodic grid has many images that no particle comes near.
+/// of a graded mesh, and all where ranks share the ground. A narrow periodic grid has many images that no
+/// particle comes near.
 std::vector<std::size_t> find_soil_ties(const Ground& ground);
 
 } // namespace tremolo::mpm_domain

@@ -107,8 +107,7 @@ double LiningBody::fastest_point() const {
 void LiningBody::follow_sort(const Ground& ground) {
   const mesh::Rectangle box = surface_.bounds();
   const Lattice& lattice = ground.finest_lattice();
-  const double margin = 4.0 * lattice.h + 2.0 * ground.sort_distance();
-  near_ = particles_near(ground, box, margin);
+  near_ = particles_near(ground, box, ground.reach_of_structures());
   const double way = 2.0 * ground.sort_distance(); // of a particle and the lining towards each other
   inside_box_.clear();
   std::ranges::copy_if(near_, std::back_inserter(inside_box_), [&](const NearParticle& of) {

@@ -54,7 +54,8 @@ public:
   double thickness() const { return lining_.thickness; } ///< m
   /// Corners of the surface now, counter-clockwise, m.
   const std::vector<Vector>& outline() const { return surface_.points(); }
-  double fastest_point() const; ///< m/s
+  mesh::Rectangle bounds() const { return surface_.bounds(); } ///< of its outline
+  double fastest_point() const;                                ///< m/s
   /// Particles that had to be brought back out of the lining, over all steps.
   long pushed_out() const { return pushed_out_; }
 

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -119,12 +121,6 @@ void unpack(std::vector<Particles>& sets, std::size_t tiles, const std::vector<P
 std::optional<std::string> not_for_ranks(const Spec& spec) {
   if (!spec.refine.empty())
     return "a mesh of several levels";
-  if (!spec.structures.empty())
-    return "a structure";
-  if (!spec.linings.empty())
-    return "a lining";
-  if (!spec.loads.empty())
-    return "a load on the surface, which goes with particles that other ranks may have,";
   if (!spec.earthworks.empty())
     return "soil that is placed or removed after a shaking";
   if (spec.sides == Sides::periodic || spec.sides == Sides::periodic_springs)
@@ -132,6 +128,49 @@ std::optional<std::string> not_for_ranks(const Spec& spec) {
   if (spec.scheme.dispersion == Dispersion::reduced)
     return "a domain with reduced dispersion";
   return std::nullopt;
+}
+
+/// Of each row of tiles those that hold nodes of periodic sides: images, and what they are images of. Sums at
+/// both come together on one rank.
+std::vector<std::vector<std::size_t>> tiles_of_images(const Ground& ground) {
+  const Grid& grid = ground.grid;
+  std::vector<bool> is_linked(static_cast<std::size_t>(grid.nx), false);
+  for (int i = 0; i < grid.nx; ++i)
+    if (const int real = grid.real_column(i); real != i)
+      is_linked[static_cast<std::size_t>(i)] = is_linked[static_cast<std::size_t>(real)] = true;
+  std::map<int, std::vector<std::size_t>> rows;
+  for (std::size_t tile = 0; tile < ground.tiles.first(1); ++tile) {
+    const NodeBlock nodes = overlap(ground.tiles.window(tile), {0, 0, grid.nx, grid.ny});
+    const auto first = is_linked.begin() + nodes.column;
+    if (std::find(first, first + nodes.columns, true) != first + nodes.columns)
+      rows[nodes.row].push_back(tile);
+  }
+  std::vector<std::vector<std::size_t>> groups;
+  for (auto& [row, tiles] : rows)
+    groups.push_back(std::move(tiles));
+  return groups;
+}
+
+/// Tiles that structures, in these boxes, may touch, and all of elastic bodies, are the first rank's.
+Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> structures) {
+  Together together;
+  const auto is_touched = [&](std::size_t tile) {
+    return ground.tiles.level_of(tile) >= ground.soil_lattice_count() ||
+           std::ranges::any_of(structures,
+                               [&](const mesh::Rectangle& box) { return ground.tiles.reaches(tile, box); });
+  };
+  for (std::size_t tile = 0; tile < ground.tiles.count(); ++tile)
+    if (is_touched(tile))
+      together.of_first.push_back(tile);
+  for (std::vector<std::size_t>& group : tiles_of_images(ground))
+    if (std::ranges::any_of(group, is_touched))
+      together.of_first.insert(together.of_first.end(), group.begin(), group.end());
+    else
+      together.groups.push_back(std::move(group));
+  std::ranges::sort(together.of_first);
+  const auto twice = std::ranges::unique(together.of_first);
+  together.of_first.erase(twice.begin(), twice.end());
+  return together;
 }
 
 std::vector<Parcel> empty_parcels(const Communicator& ranks) {
@@ -146,13 +185,15 @@ void require_shareable(const Spec& spec) {
         fmt::format("ranks cannot share {} yet: leave out --ranks and take more --threads", *what));
 }
 
-void keep_own_particles(Ground& ground, Communicator& ranks) {
+void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
   require_shareable(ground.spec);
   std::vector<std::int64_t> particles(ground.tiles.count(), 0);
   for (const Particles& set : ground.sets)
     for (std::size_t tile = 0; tile < particles.size(); ++tile)
       particles[tile] += static_cast<std::int64_t>(set.block_start[tile + 1] - set.block_start[tile]);
-  ground.share = RankShare{&ranks, deal_out(ground.tiles, std::move(particles), ranks.size())};
+  const Together together = tiles_together(ground, structures);
+  ground.share = RankShare{&ranks, deal_out(ground.tiles, std::move(particles), ranks.size(), together),
+                           std::move(structures)};
   std::vector<Parcel> parcels(1);
   for (const Particles& set : ground.sets)
     pack(
@@ -168,13 +209,15 @@ void move_between_ranks(Ground& ground) {
   std::vector<std::vector<std::size_t>> tile_of_particle;
   for (const Particles& set : ground.sets) {
     std::vector<std::size_t>& tile = tile_of_particle.emplace_back(set.size());
+    const int level = set.body ? ground.soil_lattice_count() + static_cast<int>(*set.body) : 0;
     for (std::size_t k = 0; k < set.size(); ++k) {
-      tile[k] = tile_of(set, k, ground.tiles, 0);
+      tile[k] = tile_of(set, k, ground.tiles, level);
       ++particles[tile[k]];
     }
   }
   share.ranks->add(particles);
-  share.deal = follow(share.deal, ground.tiles, std::move(particles), share.ranks->size());
+  share.deal = follow(share.deal, ground.tiles, std::move(particles), share.ranks->size(),
+                      tiles_together(ground, share.structures));
   std::vector<Parcel> parcels = empty_parcels(*share.ranks);
   std::size_t tiles_before = 0;
   for (std::size_t s = 0; s < ground.sets.size(); ++s) {

@@ -14,17 +14,18 @@
 namespace tremolo::mpm_domain {
 
 /// @throws std::invalid_argument naming what of a domain ranks cannot share yet: a mesh of several levels,
-/// structures, periodic sides, reduced dispersion
+/// periodic sides, reduced dispersion, changes of the ground between shakings
 void require_shareable(const Spec& spec);
 
 /// Leaves whole ground, which is the same on all ranks, with the particles of this rank's tiles. What they
 /// may touch must be found next: find_reach().
-/// @param ranks  outlives the ground
+/// @param ranks       outlives the ground
+/// @param structures  boxes around all that these may touch until the next sort
 /// @throws std::invalid_argument as require_shareable() does
-void keep_own_particles(Ground& ground, Communicator& ranks);
+void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures);
 
 /// Gives particles that have come to tiles of other ranks to these; deals the tiles anew where they are
-/// uneven. A part of the sort.
+/// uneven, or where structures have come to others. A part of the sort.
 void move_between_ranks(Ground& ground);
 
 /// Particles that ranks have given to rank 0; on others nothing.

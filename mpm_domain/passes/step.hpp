@@ -40,6 +40,7 @@ struct Step {
 
   double max_speed = 0.0;     ///< of the last step, all ranks, m/s
   double fastest = 0.0;       ///< speed of the fastest point that this step has moved, m/s
+  double pushed = 0.0;        ///< longest way of a particle that this step has pushed out of a structure, m
   double moved = 0.0;         ///< bound on the way of all points since the last sort, m
   std::vector<double> bounds; ///< of the length of the next step, all ranks (step/time_step.hpp)
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -123,6 +124,20 @@ Vector FastenedEnd::place(const Ground& ground, const Contact& contact) const {
     place = place + one.share * Vector{x, set.y[k]};
   }
   return place;
+}
+
+std::optional<mesh::Rectangle> FastenedEnd::bounds(const Ground& ground) const {
+  if (body_)
+    return std::nullopt;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  mesh::Rectangle box{none, none, -none, -none};
+  for (const Held& one : held_) {
+    const Particles& set = ground.sets[one.set];
+    const std::size_t k = set.index_of[one.id];
+    box = {std::min(box.x_min, set.x[k]), std::min(box.y_min, set.y[k]), std::max(box.x_max, set.x[k]),
+           std::max(box.y_max, set.y[k])};
+  }
+  return box;
 }
 
 void FastenedEnd::follow(const Ground& ground) {

@@ -35,6 +35,8 @@ public:
 
   /// Where it is now, m.
   Vector place(const Ground& ground, const Contact& contact) const;
+  /// Around the particles that it holds; none: it is on a rigid body.
+  std::optional<mesh::Rectangle> bounds(const Ground& ground) const;
   /// Finds the nodes that it pulls at, for the particles' present places.
   void follow(const Ground& ground);
   /// Its velocity from those of the nodes after the update, or of its body, m/s.

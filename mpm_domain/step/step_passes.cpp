@@ -2,7 +2,11 @@
 
 #include "mpm_domain/grid/periodic_sides.hpp"
 #include "mpm_domain/particles/splitting.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/step/time_step.hpp"
+
+#include <algorithm>
+#include <vector>
 
 namespace tremolo::mpm_domain {
 
@@ -39,14 +43,45 @@ void sort(Domain& domain, Step& step) {
     order(domain, step);
 }
 
+/// The first rank tells all what structures have changed of velocities that faces see, since each works out
+/// the whole boundary.
+void tell_of_structures(Domain& domain) {
+  Grid& grid = domain.grid;
+  std::vector<NodeField*> fields{&grid.vx_after, &grid.vy_after};
+  if (domain.has_flow())
+    fields.insert(fields.end(), {&grid.wx_after, &grid.wy_after});
+  std::vector<double*> told;
+  for (const std::size_t node : domain.boundary.shared_nodes()) {
+    const auto row = static_cast<std::size_t>(grid.nx);
+    const Vector place{grid.x0 + static_cast<double>(node % row) * grid.h,
+                       grid.y0 + static_cast<double>(node / row) * grid.h};
+    if (std::ranges::any_of(domain.share->structures, [&](const mesh::Rectangle& box) {
+          return place.x > box.x_min && place.x < box.x_max && place.y > box.y_min && place.y < box.y_max;
+        }))
+      for (NodeField* const field : fields)
+        told.push_back(&(*field)[node]);
+  }
+  if (told.empty())
+    return;
+  std::vector<double> numbers;
+  for (const double* const number : told)
+    numbers.push_back(*number);
+  domain.share->ranks->follow_first(numbers);
+  for (std::size_t n = 0; n < told.size(); ++n)
+    *told[n] = numbers[n];
+}
+
 /// One message has what this step books and what bounds the next one.
 void settle(Domain& domain, Step& step) {
   follow_clock(domain, step.time + step.dt); // as it will be when the next step begins
   step.bounds = step_bounds(domain);
-  step.bounds.push_back(step.fastest);
+  for (double* const largest : {&step.fastest, &step.pushed})
+    step.bounds.push_back(*largest);
   step.bookings.settle(step.bounds);
-  step.fastest = step.bounds.back();
-  step.bounds.pop_back();
+  for (double* const largest : {&step.pushed, &step.fastest}) {
+    *largest = step.bounds.back();
+    step.bounds.pop_back();
+  }
 }
 
 } // namespace
@@ -59,8 +94,11 @@ std::vector<Pass> step_passes(Domain& domain) {
                               choose_step(domain, step);
                             }},
                            {Phase::sort, "sort", [&](Step& step) { sort(domain, step); }}};
-  if (domain.share)
-    passes.push_back({Phase::settle, "totals over ranks", [&](Step& step) { settle(domain, step); }});
+  if (!domain.share)
+    return passes;
+  if (!domain.share->structures.empty())
+    passes.push_back({Phase::contact, "structures at faces", [&](Step&) { tell_of_structures(domain); }});
+  passes.push_back({Phase::settle, "totals over ranks", [&](Step& step) { settle(domain, step); }});
   return passes;
 }
 

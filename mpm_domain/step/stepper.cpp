@@ -44,7 +44,9 @@ void Stepper::step() {
     throw std::runtime_error(
         fmt::format("{} (t = {:.6g} s, step {})", error.what(), step_.time, step_.count));
   }
+  step_.moved += step_.pushed;
   step_.moved += step_.max_speed * step_.dt;
+  step_.pushed = 0.0;
   updates_ += particle_updates_per_step(domain_);
   step_.time += step_.dt;
   ++step_.count;

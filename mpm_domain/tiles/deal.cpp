@@ -11,6 +11,13 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
+std::int64_t particles_in(const std::vector<std::size_t>& tiles, const std::vector<std::int64_t>& particles) {
+  std::int64_t sum = 0;
+  for (const std::size_t tile : tiles)
+    sum += particles[tile];
+  return sum;
+}
+
 /// The place of a cell on the Hilbert curve through a square of `size` cells a side, a power of two. From
 /// quarter to quarter, the curve within is turned so that its ends meet.
 std::uint64_t hilbert_place(std::uint32_t size, std::uint32_t x, std::uint32_t y) {
@@ -30,28 +37,40 @@ std::uint64_t hilbert_place(std::uint32_t size, std::uint32_t x, std::uint32_t y
   return place;
 }
 
-std::vector<std::size_t> filled_along_curve(const TileMap& tiles,
-                                            const std::vector<std::int64_t>& particles) {
-  struct Filled {
-    std::uint64_t place;
-    std::size_t tile;
-  };
+/// A tile or a group with particles, at the place of the first of its tiles on the curve.
+struct Piece {
+  std::uint64_t place;
+  std::vector<std::size_t> tiles;
+  std::int64_t particles;
+};
+
+/// All but those that are the first rank's anyway, along the curve.
+std::vector<Piece> pieces_along_curve(const TileMap& tiles, const std::vector<std::int64_t>& particles,
+                                      const Together& together) {
   const auto longest = static_cast<std::uint32_t>(
       std::max(tiles.lattice(0).nx / tile_columns, tiles.lattice(0).ny / tile_rows));
   const std::uint32_t size = std::bit_ceil(longest + 1);
-  std::vector<Filled> filled;
+  const auto place_of = [&](std::size_t tile) {
+    const NodeBlock own = tiles.owned(tile);
+    return hilbert_place(size, static_cast<std::uint32_t>(own.column / tile_columns),
+                         static_cast<std::uint32_t>(own.row / tile_rows));
+  };
+  std::vector<bool> is_taken(particles.size(), false);
+  for (const std::size_t tile : together.of_first)
+    is_taken[tile] = true;
+  std::vector<Piece> pieces;
+  for (const std::vector<std::size_t>& group : together.groups) {
+    Piece piece{place_of(group.front()), group, particles_in(group, particles)};
+    for (const std::size_t tile : group)
+      is_taken[tile] = true;
+    if (piece.particles > 0)
+      pieces.push_back(std::move(piece));
+  }
   for (std::size_t tile = 0; tile < particles.size(); ++tile)
-    if (particles[tile] > 0) {
-      const NodeBlock own = tiles.owned(tile);
-      filled.push_back({hilbert_place(size, static_cast<std::uint32_t>(own.column / tile_columns),
-                                      static_cast<std::uint32_t>(own.row / tile_rows)),
-                        tile});
-    }
-  std::ranges::sort(filled, {}, &Filled::place);
-  std::vector<std::size_t> order;
-  for (const Filled& one : filled)
-    order.push_back(one.tile);
-  return order;
+    if (particles[tile] > 0 && !is_taken[tile])
+      pieces.push_back({place_of(tile), {tile}, particles[tile]});
+  std::ranges::sort(pieces, {}, &Piece::place);
+  return pieces;
 }
 
 /// The neighbour with particles that is to own an empty tile: one with a side in common, if there is any, so
@@ -71,45 +90,80 @@ std::size_t neighbour_with_particles(const Deal& deal, const TileMap& tiles, std
   return found;
 }
 
-/// Gives tiles without particles to the owner of a neighbour with some.
-void adopt_empty(Deal& deal, const TileMap& tiles) {
+/// Gives tiles without particles to the owner of a neighbour with some, and those of a group to one owner.
+void adopt_empty(Deal& deal, const TileMap& tiles, const Together& together) {
   for (std::size_t tile = 0; tile < deal.owner.size(); ++tile) {
-    if (deal.particles[tile] > 0)
+    if (deal.particles[tile] > 0 || std::ranges::binary_search(together.of_first, tile))
       continue;
     const std::size_t neighbour = neighbour_with_particles(deal, tiles, tile);
     deal.owner[tile] = neighbour == tile ? Deal::nobody : deal.owner[neighbour];
   }
+  for (const std::vector<std::size_t>& group : together.groups) {
+    int owner = Deal::nobody;
+    for (const std::size_t tile : group)
+      if (owner == Deal::nobody || deal.particles[tile] > 0)
+        owner = deal.owner[tile];
+    for (const std::size_t tile : group)
+      deal.owner[tile] = owner;
+  }
+}
+
+/// Whether a deal has parted what is to stay together, or leaves particles to nobody.
+bool is_lost(const Deal& deal, const Together& together) {
+  for (std::size_t tile = 0; tile < deal.owner.size(); ++tile)
+    if (deal.particles[tile] > 0 && deal.owner[tile] == Deal::nobody)
+      return true;
+  const auto is_parted = [&](const std::vector<std::size_t>& group) {
+    int owner = Deal::nobody;
+    for (const std::size_t tile : group) {
+      if (deal.particles[tile] == 0)
+        continue;
+      if (owner != Deal::nobody && deal.owner[tile] != owner)
+        return true;
+      owner = deal.owner[tile];
+    }
+    return false;
+  };
+  return std::ranges::any_of(together.of_first, [&](std::size_t tile) { return deal.owner[tile] != 0; }) ||
+         std::ranges::any_of(together.groups, is_parted);
 }
 
 } // namespace
 
-Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> particles, int ranks) {
+Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> particles, int ranks,
+              const Together& together) {
   Deal deal{std::vector<int>(particles.size(), Deal::nobody), std::move(particles)};
-  const std::int64_t total = std::accumulate(deal.particles.begin(), deal.particles.end(), std::int64_t{0});
-  std::int64_t before = 0;
-  for (const std::size_t tile : filled_along_curve(tiles, deal.particles)) {
-    // The rank in whose piece of the curve the middle of the tile's particles lies.
-    deal.owner[tile] = static_cast<int>((2 * before + deal.particles[tile]) * ranks / (2 * total));
-    before += deal.particles[tile];
+  std::int64_t total = std::accumulate(deal.particles.begin(), deal.particles.end(), std::int64_t{0});
+  std::int64_t before = particles_in(together.of_first, deal.particles);
+  for (const std::size_t tile : together.of_first)
+    deal.owner[tile] = 0;
+  // Where these are a full share, all others are for the other ranks.
+  const int full = ranks > 1 && before > 0 && before * ranks >= total ? 1 : 0;
+  if (full == 1)
+    total -= std::exchange(before, 0);
+  for (const Piece& piece : pieces_along_curve(tiles, deal.particles, together)) {
+    // The rank in whose piece of the curve the middle of these particles lies.
+    for (const std::size_t tile : piece.tiles)
+      deal.owner[tile] =
+          full + static_cast<int>((2 * before + piece.particles) * (ranks - full) / (2 * total));
+    before += piece.particles;
   }
-  adopt_empty(deal, tiles);
+  adopt_empty(deal, tiles, together);
   return deal;
 }
 
-Deal follow(const Deal& present, const TileMap& tiles, std::vector<std::int64_t> particles, int ranks) {
+Deal follow(const Deal& present, const TileMap& tiles, std::vector<std::int64_t> particles, int ranks,
+            const Together& together) {
   if (present.owner.size() != particles.size())
-    return deal_out(tiles, std::move(particles), ranks);
+    return deal_out(tiles, std::move(particles), ranks, together);
   Deal next{present.owner, std::move(particles)};
-  for (std::size_t tile = 0; tile < next.owner.size(); ++tile)
-    if (next.particles[tile] > 0 && next.owner[tile] == Deal::nobody)
-      return deal_out(tiles, std::move(next.particles), ranks);
-  if (unevenness(next, ranks) > most_uneven)
-    return deal_out(tiles, std::move(next.particles), ranks);
-  adopt_empty(next, tiles);
+  if (is_lost(next, together) || unevenness(next, ranks, together) > most_uneven)
+    return deal_out(tiles, std::move(next.particles), ranks, together);
+  adopt_empty(next, tiles, together);
   return next;
 }
 
-double unevenness(const Deal& deal, int ranks) {
+double unevenness(const Deal& deal, int ranks, const Together& together) {
   std::vector<std::int64_t> load(static_cast<std::size_t>(ranks), 0);
   std::int64_t total = 0;
   for (std::size_t tile = 0; tile < deal.owner.size(); ++tile)
@@ -117,8 +171,9 @@ double unevenness(const Deal& deal, int ranks) {
       load[static_cast<std::size_t>(deal.owner[tile])] += deal.particles[tile];
       total += deal.particles[tile];
     }
-  return static_cast<double>(ranks) * static_cast<double>(std::ranges::max(load)) /
-         static_cast<double>(total);
+  const double mean = static_cast<double>(total) / static_cast<double>(ranks);
+  const double least = std::max(mean, static_cast<double>(particles_in(together.of_first, deal.particles)));
+  return static_cast<double>(std::ranges::max(load)) / least;
 }
 
 bool RankShare::is_mine(std::size_t tile) const {

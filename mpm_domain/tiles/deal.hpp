@@ -5,6 +5,11 @@
 // the curve is cut into pieces of nearly the same number of particles. So a rank's tiles lie together, and
 // their common rim is short. A tile without particles belongs to the owner of a neighbour with some: it must
 // be ready for those that come before the next sort.
+//
+// Some tiles stay together. The first rank holds all that structures touch: what passes between structures
+// and soil is worked out there alone, from the tiles of all particles and nodes that take part. These go to
+// the first rank whatever they hold, and the others make up for it. Tiles whose nodes are images of each
+// other are dealt as one, where the first of them lies on the curve.
 
 #include "mpm_domain/tiles/tile_map.hpp"
 
@@ -26,20 +31,30 @@ struct Deal {
 /// Particles of the fullest rank over their mean, beyond which tiles are dealt anew.
 inline constexpr double most_uneven = 1.15;
 
-/// Deals the tiles of a map with one lattice among ranks.
-Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> particles, int ranks);
+/// Tiles that stay together. Each tile is alone or in one of these lists, whose tiles rise.
+struct Together {
+  std::vector<std::size_t> of_first; ///< of the first rank; those of all lattices but the first among them
+  std::vector<std::vector<std::size_t>> groups; ///< each of one rank
+};
+
+/// Deals the tiles of a map among ranks.
+Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> particles, int ranks,
+              const Together& together = {});
 
 /// The deal for other numbers of particles: the present one, or another if that has become uneven, or if
-/// particles have come to a tile that nobody owns.
-Deal follow(const Deal& present, const TileMap& tiles, std::vector<std::int64_t> particles, int ranks);
+/// particles have come to a tile that nobody owns, or if tiles have been parted that are to stay together.
+Deal follow(const Deal& present, const TileMap& tiles, std::vector<std::int64_t> particles, int ranks,
+            const Together& together = {});
 
-/// Particles of the fullest rank over their mean.
-double unevenness(const Deal& deal, int ranks);
+/// Particles of the fullest rank over their mean, or over those that the first rank has to take where these
+/// are more.
+double unevenness(const Deal& deal, int ranks, const Together& together = {});
 
 /// A rank's share of a domain.
 struct RankShare {
   Communicator* ranks; ///< outlives the domain
   Deal deal;
+  std::vector<mesh::Rectangle> structures; ///< boxes around all that these may touch until the next sort
 
   int owner(std::size_t tile) const { return deal.owner[tile]; }
   bool is_mine(std::size_t tile) const;

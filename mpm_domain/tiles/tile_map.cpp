@@ -58,6 +58,13 @@ NodeBlock TileMap::window(std::size_t tile) const {
   return {own.column - halo, own.row - halo, window_columns, window_rows};
 }
 
+bool TileMap::reaches(std::size_t tile, const mesh::Rectangle& box) const {
+  const Lattice& of = lattice(level_of(tile));
+  const NodeBlock nodes = window(tile);
+  return of.x0 + nodes.column * of.h < box.x_max && of.x0 + nodes.end_column() * of.h > box.x_min &&
+         of.y0 + nodes.row * of.h < box.y_max && of.y0 + nodes.end_row() * of.h > box.y_min;
+}
+
 std::vector<std::size_t> TileMap::around(std::size_t tile) const {
   const auto [level, column, row] = place_of(tile);
   std::vector<std::size_t> tiles;

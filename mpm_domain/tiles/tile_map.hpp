@@ -4,6 +4,7 @@
 // tiles are numbered lattice after lattice and row after row. The cut depends on nothing but the grid, so the
 // tiles are the same for any number of threads.
 
+#include "mesh/quadtree.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 
 #include <algorithm>
@@ -66,6 +67,8 @@ public:
   /// and its stencil reaches three nodes beyond the first: one node is added before the tile and four behind
   /// it.
   NodeBlock window(std::size_t tile) const;
+  /// Whether a box holds nodes that the particles of a tile may touch, or lies between them.
+  bool reaches(std::size_t tile, const mesh::Rectangle& box) const;
   /// The tiles of the same lattice whose windows may hold nodes that this tile owns, itself included, in
   /// rising order.
   std::vector<std::size_t> around(std::size_t tile) const;

@@ -31,6 +31,12 @@ ExactSums<count> sums_of(std::span<const std::array<double, count>> parts) {
   return sums;
 }
 
+/// Numbers that this rank alone knows; all others give zeros.
+template <std::size_t count>
+ExactSums<count> sums_of(const std::array<double, count>& numbers) {
+  return sums_of(std::span<const std::array<double, count>>(&numbers, 1));
+}
+
 /// Runs `row_sum(nodes)` for all rows of nodes and adds up what it returns for those that count on this rank,
 /// `count` numbers each.
 template <std::size_t count, typename RowSum>

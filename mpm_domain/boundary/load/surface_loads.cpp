@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -109,6 +111,19 @@ void SurfaceLoads::grow(const Spec& spec, double time) {
       share_[load] = growth->share(time);
 }
 
+std::vector<mesh::Rectangle> SurfaceLoads::bounds(const Ground& ground) const {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<mesh::Rectangle> boxes(share_.size(), {none, none, -none, -none});
+  for (const LoadedFace& face : faces_) {
+    const Particles& set = ground.sets[face.set];
+    const std::size_t k = set.index_of[face.id];
+    mesh::Rectangle& box = boxes[face.load];
+    box = {std::min(box.x_min, set.x[k]), std::min(box.y_min, set.y[k]), std::max(box.x_max, set.x[k]),
+           std::max(box.y_max, set.y[k])};
+  }
+  return boxes;
+}
+
 void SurfaceLoads::follow(const Ground& ground) {
   BoundaryFace level; // of the base: it lies along x, as the line does
   level.side = Side::base;
@@ -186,17 +201,24 @@ void SurfaceLoads::take_off_remap_power(Step& step) const {
 std::vector<Pass> load_passes(Ground& ground, SurfaceLoads& loads) {
   if (!loads.any())
     return {};
+  const bool is_here = ground.has_structures_here();
   std::vector<Pass> passes{{Phase::forces, "surface loads",
-                            [&](Step& step) {
+                            [&, is_here](Step& step) {
                               loads.grow(ground.spec, step.time);
+                              if (!is_here)
+                                return;
                               loads.follow(ground);
                               loads.add(ground.grid);
                             }},
-                           {Phase::books, "", [&](Step& step) {
-                              const double work = step.kicks.front() * loads.power(ground.grid);
-                              step.bookings.add([&energy = step.energy, work] { energy.static_ += work; });
+                           {Phase::books, "", [&, is_here](Step& step) {
+                              const double work =
+                                  is_here ? step.kicks.front() * loads.power(ground.grid) : 0.0;
+                              step.bookings.add(sums_of(std::array{work}),
+                                                [&energy = step.energy](const std::array<double, 1>& booked) {
+                                                  energy.static_ += booked[0];
+                                                });
                             }}};
-  if (ground.is_remapped())
+  if (ground.is_remapped() && is_here)
     passes.push_back({Phase::remap, "", [&](Step& step) { loads.take_off_remap_power(step); }});
   return passes;
 }

@@ -53,6 +53,8 @@ public:
   /// Lets those that grow while the ground is in motion be as large as they are at a time of the simulation,
   /// s.
   void grow(const Spec& spec, double time);
+  /// Around the particles that carry each load.
+  std::vector<mesh::Rectangle> bounds(const Ground& ground) const;
   /// Brings forces and weights to where the soil is.
   void follow(const Ground& ground);
   /// Adds the forces to those of the nodes.

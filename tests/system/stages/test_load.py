@@ -56,15 +56,11 @@ class Load(unittest.TestCase):
             self.assertEqual(0, result.returncode, result.stdout + result.stderr)
             self.assertIn("2  fill                load          pressure of 30000 Pa on the surface", result.stdout)
 
-    def test_ranks_and_a_second_name_are_refused(self):
+    def test_a_second_name_is_refused(self):
         with RestWorkspace(TREMOLO, **CHANGES | {"load": LOAD + LOAD}) as work:
             result = work.command("check", work.case)
             self.assertNotEqual(0, result.returncode)
             self.assertIn("has the name 'fill' already", result.stdout + result.stderr)
-        with RestWorkspace(TREMOLO, load=LOAD.replace("0.0, 2.0", "0.5, 1.5")) as work:
-            result = work.command("run", work.case, "--ranks", 2, "--oversubscribe")
-            self.assertNotEqual(0, result.returncode)
-            self.assertIn("ranks cannot share a load on the surface", result.stdout + result.stderr)
 
 
 if __name__ == "__main__":

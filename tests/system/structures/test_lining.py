@@ -72,12 +72,6 @@ class Lining(unittest.TestCase):
             whole = whole_run(work)
             resumes_with_the_same_bits(self, work, whole, checkpoints(whole)[-1] // 3)
 
-    def test_ranks_are_refused_with_the_reason(self):
-        with LinedWorkspace(TREMOLO) as work:
-            done = work.command("run", work.case, "--out", work.path / "ranks", "--ranks", "2")
-            self.assertNotEqual(0, done.returncode)
-            self.assertIn("lining", done.stdout + done.stderr)
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -90,5 +90,60 @@ TEST(Deal, LeavesRanksWithoutTilesWhereThereAreTooFew) {
   EXPECT_EQ(unevenness(deal, 4), 2.0);
 }
 
+/// A block of tiles in the middle of a square of 16 x 16.
+std::vector<std::size_t> block(std::size_t columns, std::size_t rows) {
+  std::vector<std::size_t> tiles;
+  for (std::size_t j = 4; j < 4 + rows; ++j)
+    for (std::size_t i = 4; i < 4 + columns; ++i)
+      tiles.push_back(16 * j + i);
+  return tiles;
+}
+
+TEST(Deal, GivesTheFirstRankWhatStructuresTouchAndAsMuchElseAsOthersHave) {
+  const TileMap tiles = map_of(16, 16);
+  const Together together{block(4, 4), {}};
+  const Deal deal = deal_out(tiles, full(tiles), 4, together);
+  for (const std::size_t tile : together.of_first)
+    EXPECT_EQ(deal.owner[tile], 0);
+  EXPECT_LE(unevenness(deal, 4), 1.0 + 4.0 / 256.0);
+}
+
+TEST(Deal, GivesTheFirstRankNothingElseWhereStructuresTouchTooMuch) {
+  const TileMap tiles = map_of(16, 16);
+  const Together together{block(12, 10), {}};
+  const Deal deal = deal_out(tiles, full(tiles), 3, together);
+  EXPECT_EQ(std::ranges::count(deal.owner, 0), 120);
+  EXPECT_EQ(std::ranges::count(deal.owner, 1), 68);
+  EXPECT_EQ(std::ranges::count(deal.owner, 2), 68);
+  EXPECT_EQ(unevenness(deal, 3, together), 1.0); // no deal is more even
+}
+
+TEST(Deal, IsMadeAnewWhereAStructureComesToTilesOfOthers) {
+  const TileMap tiles = map_of(16, 16);
+  const Deal deal = deal_out(tiles, full(tiles), 4, {block(4, 4), {}});
+  EXPECT_EQ(follow(deal, tiles, full(tiles), 4, {block(4, 4), {}}).owner, deal.owner);
+  const Deal next = follow(deal, tiles, full(tiles), 4, {block(6, 4), {}});
+  for (const std::size_t tile : block(6, 4))
+    EXPECT_EQ(next.owner[tile], 0);
+}
+
+/// The first and the last tile of each row are one rank's, with particles and without.
+TEST(Deal, LeavesGroupsTogether) {
+  const TileMap tiles = map_of(16, 16);
+  std::vector<std::int64_t> particles = full(tiles);
+  std::fill(particles.begin() + 200, particles.end(), 0);
+  particles[200 - 8] = 0; // the first of its row
+  Together together;
+  for (std::size_t row = 0; row < 16; ++row)
+    together.groups.push_back({16 * row, 16 * row + 15});
+  for (const int ranks : {2, 3, 4, 7}) {
+    const Deal deal = deal_out(tiles, particles, ranks, together);
+    for (const std::vector<std::size_t>& group : together.groups)
+      EXPECT_EQ(deal.owner[group.front()], deal.owner[group.back()]);
+    EXPECT_LT(unevenness(deal, ranks), 1.1);
+    EXPECT_EQ(follow(deal, tiles, particles, ranks, together).owner, deal.owner);
+  }
+}
+
 } // namespace
 } // namespace tremolo::mpm_domain

@@ -9,6 +9,7 @@
 #include "tests/support/box_run.hpp"
 #include "tests/support/quiet_ground.hpp"
 #include "tests/support/saved_state.hpp"
+#include "tests/unit/mpm_domain/ranks/structure_models.hpp"
 #include "tests/unit/mpm_domain/ranks/test_ranks.hpp"
 
 #include <gtest/gtest.h>
@@ -92,6 +93,14 @@ const Model models[] = {
      20},
     // Over several tiles: particles change ranks, tiles are dealt anew, the grid grows.
     {"Drifting", [](Spec& spec) { yield(spec); }, 120, {120.0, 40.0}},
+    {"Building", test_support::add_building, 30},
+    {"BuildingAtSide", test_support::add_building_at_side, 30},
+    {"Neighbours", test_support::add_neighbours, 30},
+    {"ProppedWalls", test_support::add_propped_walls, 30},
+    {"Lining", test_support::add_lining, 30},
+    {"SurfaceLoads", test_support::add_surface_loads, 40},
+    {"WetBox", test_support::add_wet_box, 40},
+    {"DriftingBuilding", test_support::add_building, 120, {120.0, 40.0}},
     {"FallingSlope", [](Spec& spec) { slope(spec), yield(spec); }, 120, {-80.0, -60.0}},
 };
 
@@ -105,6 +114,9 @@ public:
         set.vx[k] = model.drift.x;
         set.vy[k] = model.drift.y;
       }
+    for (std::size_t b = 0; b < domain_.contact.bodies().size(); ++b)
+      if (!domain_.contact.is_elastic(b))
+        test_support::set_motion(domain_, b, {model.drift, 0.0});
     wave_.angle = 0.2;
     start(ranks);
   }
