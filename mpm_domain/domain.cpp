@@ -73,7 +73,12 @@ void make_room(Domain& domain, double time, long step) {
 
 void share_out(Domain& domain, Communicator& ranks) {
   keep_own_particles(domain, ranks, boxes_of_structures(domain));
+  std::vector<int> levels; // as of the last sort, since which particles have moved
+  for (const BoundaryFace& face : domain.boundary.faces())
+    levels.push_back(face.level);
   domain.boundary.follow_sort(domain);
+  for (std::size_t f = 0; f < levels.size(); ++f)
+    domain.boundary.faces()[f].level = levels[f];
   find_reach(domain);
 }
 

@@ -391,14 +391,22 @@ bool Ground::has_structures_here() const {
   return !share || share->ranks->rank() == 0;
 }
 
+NodePlace Ground::place_of(std::size_t node) const {
+  int level = 0;
+  while (node >= lattice(level).first + lattice(level).count())
+    ++level;
+  const Lattice& of = lattice(level);
+  const auto columns = static_cast<std::size_t>(of.nx);
+  const auto column = static_cast<int>((node - of.first) % columns);
+  const auto row = static_cast<int>((node - of.first) / columns);
+  return {level, column, row, {of.x0 + column * of.h, of.y0 + row * of.h}};
+}
+
 bool Ground::counts(const NodeRange& nodes) const {
   if (!share)
     return true;
-  if (nodes.begin >= grid.count()) // of an elastic body
-    return has_structures_here();
-  const auto columns = static_cast<std::size_t>(grid.nx);
-  return share->is_mine(
-      tiles.tile_of(0, static_cast<int>(nodes.begin % columns), static_cast<int>(nodes.begin / columns)));
+  const NodePlace place = place_of(nodes.begin);
+  return share->is_mine(tiles.tile_of(place.level, place.column, place.row));
 }
 
 double Ground::sort_distance() const {
@@ -461,7 +469,7 @@ double particle_updates_per_step(const Ground& ground) {
   if (ground.share) {
     for (const std::int64_t particles : ground.share->deal.particles)
       updates += static_cast<double>(particles);
-    return updates;
+    return updates + static_cast<double>(ground.share->across);
   }
   const std::size_t tiles = ground.tiles.count();
   for (const Particles& set : ground.sets)

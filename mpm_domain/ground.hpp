@@ -61,6 +61,14 @@ struct ClockTiles {
   std::vector<AcrossTile> across; ///< by set and tile
 };
 
+/// A node of a lattice.
+struct NodePlace {
+  int level;
+  int column;
+  int row;
+  Vector at; ///< m
+};
+
 /// The ground of the two-dimensional plane-strain domain: particles, grid, and what orders them. Boundary,
 /// contact and ledger are those of the Domain, which is a Ground (domain.hpp); rooms that need none of these
 /// take a Ground. What happens to it in a step stands in the passes (scatter, grid_update, gather, ...),
@@ -145,6 +153,8 @@ struct Ground {
   /// Whether structures, linings, props and surface loads are worked out here, not on another rank: on the
   /// first.
   bool has_structures_here() const;
+  /// Where a node stands.
+  NodePlace place_of(std::size_t node) const;
   /// Whether nodes of one row and one tile count here, not on another rank.
   bool counts(const NodeRange& nodes) const;
   /// How far particles may move from one sort to the next, m.

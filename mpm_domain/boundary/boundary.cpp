@@ -1,10 +1,27 @@
 #include "mpm_domain/boundary/boundary.hpp"
 
 #include "mpm_domain/ground.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <algorithm>
 
 namespace tremolo::mpm_domain {
+
+namespace {
+
+/// On all ranks; each knows those of its own particles.
+void find_levels(const Ground& ground, std::span<BoundaryFace> faces) {
+  std::vector<double> levels;
+  for (const BoundaryFace& face : faces) {
+    const bool is_here = ground.sets[face.set].index_of[face.id] != Particles::nowhere;
+    levels.push_back(is_here ? level_of(ground, face) : BoundaryFace::unknown);
+  }
+  take_largest(ground, levels);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    faces[f].level = static_cast<int>(levels[f]);
+}
+
+} // namespace
 
 void Boundary::match(Ground& ground) {
   faces_ = find_faces(ground.sets, ground.spec);
@@ -40,8 +57,7 @@ void Boundary::follow_sort(const Ground& ground) {
   supports_.follow_sort(ground);
   forces_.follow_sort(ground);
   if (ground.mesh)
-    for (BoundaryFace& face : faces_)
-      face.level = level_of(ground, face);
+    find_levels(ground, faces_);
   soil_.follow_sort(ground, faces_);
 }
 

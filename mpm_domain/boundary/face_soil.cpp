@@ -1,6 +1,7 @@
 #include "mpm_domain/boundary/face_soil.hpp"
 
 #include "mpm_domain/boundary/for_faces.hpp"
+#include "mpm_domain/grid/box_average.hpp"
 #include "mpm_domain/ground.hpp"
 
 #include <algorithm>
@@ -45,6 +46,17 @@ auto shared_soil(const Ground& ground, std::span<const BoundaryFace> faces, cons
                     }};
 }
 
+/// Nodes of a graded mesh that lines within a box may touch, and those that tied ones among them follow.
+void add_nodes_of_mesh(const Ground& ground, const mesh::Rectangle& box, std::vector<std::size_t>& nodes) {
+  std::vector<BoxWeight> touched;
+  box_average(*ground.mesh, box, touched);
+  for (const BoxWeight& one : touched) {
+    nodes.push_back(one.node);
+    for (const Share& share : ground.ties().shares_of(one.node))
+      nodes.push_back(share.node);
+  }
+}
+
 /// The nodes that faces may touch while particles move by the distance between two sorts.
 std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const BoundaryFace> faces,
                                     std::span<const FaceSoil> soil) {
@@ -55,6 +67,11 @@ std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const Bounda
     const mesh::Rectangle line = line_of(faces[f], soil[f].place);
     const bool own_boxes = ground.sets[faces[f].set].has_own_boxes();
     const double way = (own_boxes ? 2.0 : 1.0) * ground.sort_distance(); // as in reach_of()
+    if (ground.mesh) {
+      add_nodes_of_mesh(ground, {line.x_min - way, line.y_min - way, line.x_max + way, line.y_max + way},
+                        nodes);
+      continue;
+    }
     for (int j = cell(line.y_min - way, lattice.y0); j <= cell(line.y_max + way, lattice.y0) + 1; ++j)
       for (int i = cell(line.x_min - way, lattice.x0); i <= cell(line.x_max + way, lattice.x0) + 1; ++i)
         nodes.push_back(lattice.index(i, j));
@@ -74,11 +91,11 @@ void SoilAtFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace
   soil_.resize(faces.size());
   tell_all(ranks, numbers_, shared_soil(ground, faces, faces_, soil_));
   nodes_ = nodes_near(ground, faces, soil_);
-  const auto columns = static_cast<std::size_t>(ground.grid.nx);
   std::vector<int> owner;
-  for (const std::size_t node : nodes_)
-    owner.push_back(ground.share->owner(
-        ground.tiles.tile_of(0, static_cast<int>(node % columns), static_cast<int>(node / columns))));
+  for (const std::size_t node : nodes_) {
+    const NodePlace place = ground.place_of(node);
+    owner.push_back(ground.share->owner(ground.tiles.tile_of(place.level, place.column, place.row)));
+  }
   sums_ = SharedList(owner, ranks);
 }
 

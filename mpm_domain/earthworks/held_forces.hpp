@@ -21,7 +21,7 @@
 namespace tremolo::mpm_domain {
 
 /// Level, and cells to the right of and above the corner of the model.
-using NodePlace = std::array<int, 3>;
+using PlaceInModel = std::array<int, 3>;
 
 /// What a node has of the particles.
 struct NodeLoad {
@@ -30,12 +30,12 @@ struct NodeLoad {
 };
 
 /// The loads of all nodes with mass. Particles must be in the order of their present places.
-std::map<NodePlace, NodeLoad> node_loads(Ground& ground);
+std::map<PlaceInModel, NodeLoad> node_loads(Ground& ground);
 
 class HeldForces {
 public:
   HeldForces() = default;
-  HeldForces(const std::map<NodePlace, NodeLoad>& before, const std::map<NodePlace, NodeLoad>& after);
+  HeldForces(const std::map<PlaceInModel, NodeLoad>& before, const std::map<PlaceInModel, NodeLoad>& after);
 
   /// Adds a share (1) of the forces to those of the nodes.
   void act(Ground& ground, double share) const;
@@ -53,7 +53,7 @@ private:
   template <class Act>
   void over_nodes(const Ground& ground, double share, const Act& act) const;
 
-  std::map<NodePlace, Vector> forces_; ///< c, N/m
+  std::map<PlaceInModel, Vector> forces_; ///< c, N/m
 };
 
 } // namespace tremolo::mpm_domain

@@ -1,7 +1,7 @@
 #include "mpm_domain/grid/body_lattices.hpp"
 
 #include "mpm_domain/ground.hpp"
-#include "mpm_domain/tiles/totals.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ void take_over_ranks(const Ground& ground, std::vector<Extent>& extents) {
   std::vector<double> outwards;
   for (const Extent& extent : extents)
     outwards.insert(outwards.end(), {-static_cast<double>(extent.first), static_cast<double>(extent.last)});
-  take_largest(ground, outwards);
+  ground.share->ranks->largest(outwards);
   for (std::size_t b = 0; b < extents.size(); ++b)
     extents[b] = {-static_cast<int>(outwards[2 * b]), static_cast<int>(outwards[2 * b + 1])};
 }
@@ -51,8 +51,10 @@ void follow_bodies(Ground& ground) {
       columns[*set.body].take((set.x[k] - soil.x0) / soil.h);
       rows[*set.body].take((set.y[k] - soil.y0) / soil.h);
     }
-  take_over_ranks(ground, columns);
-  take_over_ranks(ground, rows);
+  if (ground.share) {
+    take_over_ranks(ground, columns);
+    take_over_ranks(ground, rows);
+  }
   bool changed = false;
   for (std::size_t b = 0; b < ground.bodies.size(); ++b) {
     BodyLattice& body = ground.bodies[b];

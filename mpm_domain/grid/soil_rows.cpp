@@ -113,7 +113,8 @@ void touch_from_others(const Ground& ground, Rows& rows) {
     if (share.is_mine(tile))
       for (const std::size_t other : ground.tiles.around(tile))
         if (share.deal.particles[other] > 0 && !share.is_mine(other))
-          rows.touch(0, overlap(ground.tiles.owned(tile), ground.tiles.window(other)));
+          rows.touch(ground.tiles.level_of(tile),
+                     overlap(ground.tiles.owned(tile), ground.tiles.window(other)));
 }
 
 /// Images of nodes of soil, and what such images stand for: others may bring something to them.

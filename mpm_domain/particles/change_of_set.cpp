@@ -1,5 +1,7 @@
 #include "mpm_domain/particles/change_of_set.hpp"
 
+#include <algorithm>
+
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -48,6 +50,8 @@ void remove(Particles& p, const std::vector<std::size_t>& gone) {
   keep(p.state, p.state_size);
   p.for_fields([&](const ParticleFieldDescription&, std::vector<double>& values) { keep(values, 1); });
   keep(p.id, 1);
+  for (std::size_t& start : p.block_start)
+    start -= static_cast<std::size_t>(std::ranges::lower_bound(gone, start) - gone.begin());
 }
 
 } // namespace tremolo::mpm_domain

@@ -112,6 +112,15 @@ void sort_by_cell(Particles& particles, const TileMap& tiles, int level, std::si
   order_by(particles, key, blocks);
 }
 
+LatticeOfParticle lattice_of(const Particles& particles, std::size_t k, const GradedMesh& mesh,
+                             double margin) {
+  const GradedMesh::Touched touches = mesh.touched(reach_of(particles, k, margin));
+  const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(touches.finest)];
+  const Vector half = half_sides(particles, k);
+  const double most = particles.has_own_boxes() ? lattice.h : 0.5001 * lattice.h;
+  return {touches.finest, touches.one_lattice() && half.x <= most && half.y <= most};
+}
+
 void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const TileMap& tiles,
                      const ClockMap& clocks, double margin) {
   const mesh::Roots& roots = mesh.tree().roots();
@@ -126,13 +135,9 @@ void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const TileMap
     // NaN fails every comparison.
     if (!(x > allowed.x_min && x < allowed.x_max && y > allowed.y_min && y < allowed.y_max))
       refuse_outside(particles, k, allowed);
-    const GradedMesh::Touched touches = mesh.touched(reach_of(particles, k, margin));
-    const Lattice& lattice = mesh.lattices()[static_cast<std::size_t>(touches.finest)];
-    const Vector half = half_sides(particles, k);
-    const double most = particles.has_own_boxes() ? lattice.h : 0.5001 * lattice.h;
-    const bool on_one = touches.one_lattice() && half.x <= most && half.y <= most;
+    const LatticeOfParticle of = lattice_of(particles, k, mesh, margin);
     const auto clock = static_cast<std::size_t>(clocks.at(x, y));
-    key[k] = key_of(particles, k, tiles, touches.finest, (on_one ? 0 : blocks) + clock * tiles.count());
+    key[k] = key_of(particles, k, tiles, of.level, (of.alone ? 0 : blocks) + clock * tiles.count());
   }
   order_by(particles, key, 2 * blocks);
 }

@@ -91,6 +91,15 @@ private:
 /// The tile that a particle belongs to at its present place on a lattice.
 std::size_t tile_of(const Particles& particles, std::size_t k, const TileMap& tiles, int level);
 
+/// The finest lattice of a graded mesh that a particle may touch on a way of `margin` (m), and whether it
+/// touches that one alone, as particles of its cells do.
+struct LatticeOfParticle {
+  int level;
+  bool alone;
+};
+LatticeOfParticle lattice_of(const Particles& particles, std::size_t k, const GradedMesh& mesh,
+                             double margin);
+
 /// Orders the particles on one lattice by tile and within a tile by cell, row after row. Particles that share
 /// a cell keep their order.
 /// @param level   of the lattice

@@ -17,7 +17,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Numbers for a rank: for one set after the other the number of particles, and of each particle its tile,
+/// Numbers for a rank: for one set after the other the number of particles, and of each particle its block,
 /// its id, its fields, its state, and what goes with it besides.
 using Parcel = std::vector<double>;
 
@@ -32,8 +32,9 @@ std::size_t numbers_per_particle(const Particles& set) {
   return 2 + fields + set.state_size;
 }
 
-/// Adds a set to the parcels of ranks.
-/// @param rank_of   (particle, tile) the rank that is to have it, or no_rank
+/// Adds a set to the parcels of ranks. Quarters of particles that have been cut since the last sort stand in
+/// a block behind all others.
+/// @param rank_of   (particle, block) the rank that is to have it, or no_rank
 /// @param add_more  (particle, parcel) adds what goes with it
 template <typename RankOf, typename AddMore>
 void pack(const Particles& set, const RankOf& rank_of, const AddMore& add_more,
@@ -46,15 +47,16 @@ void pack(const Particles& set, const RankOf& rank_of, const AddMore& add_more,
     count_at.push_back(parcel.size());
     parcel.push_back(0.0);
   }
-  for (std::size_t tile = 0; tile + 1 < set.block_start.size(); ++tile)
-    for (std::size_t k = set.block_start[tile]; k < set.block_start[tile + 1]; ++k) {
-      const int to = rank_of(k, tile);
+  for (std::size_t block = 0; block < set.block_start.size(); ++block)
+    for (std::size_t k = set.block_start[block];
+         k < (block + 1 < set.block_start.size() ? set.block_start[block + 1] : set.size()); ++k) {
+      const int to = rank_of(k, block);
       if (to == no_rank)
         continue;
       const auto rank = static_cast<std::size_t>(to);
       Parcel& parcel = parcels[rank];
       parcel[count_at[rank]] += 1.0;
-      parcel.push_back(static_cast<double>(tile));
+      parcel.push_back(static_cast<double>(block));
       parcel.push_back(static_cast<double>(set.id[k]));
       for (const std::vector<double>* field : fields)
         parcel.push_back((*field)[k]);
@@ -64,14 +66,14 @@ void pack(const Particles& set, const RankOf& rank_of, const AddMore& add_more,
     }
 }
 
-/// Fills a set with its particles from parcels, by their tiles. A tile's particles come from one rank.
+/// Fills a set with its particles from parcels, by their blocks. A block's particles come from one rank.
 /// @param more  how many numbers go with a particle besides
 /// @param next  where the set begins in each parcel; then where it ends
 /// @returns these numbers, particle after particle
-std::vector<double> unpack(Particles& set, std::size_t tiles, const std::vector<Parcel>& parcels,
+std::vector<double> unpack(Particles& set, std::size_t blocks, const std::vector<Parcel>& parcels,
                            std::size_t more, std::vector<std::size_t>& next) {
   struct One {
-    std::size_t tile;
+    std::size_t block;
     const double* numbers; ///< id, fields, state, and more
   };
   const std::size_t width = numbers_per_particle(set) + more;
@@ -85,15 +87,15 @@ std::vector<double> unpack(Particles& set, std::size_t tiles, const std::vector<
       all.push_back({static_cast<std::size_t>(numbers[0]), numbers + 1});
     next[rank] += 1 + count * width;
   }
-  std::ranges::stable_sort(all, {}, &One::tile);
+  std::ranges::stable_sort(all, {}, &One::block);
 
   std::vector<double> besides;
-  set.block_start.assign(tiles + 1, 0);
+  set.block_start.assign(blocks + 1, 0);
   set.id.resize(all.size());
   set.state.resize(all.size() * set.state_size);
   std::ranges::fill(set.index_of, Particles::nowhere);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    ++set.block_start[all[k].tile + 1];
+    ++set.block_start[all[k].block + 1];
     set.id[k] = static_cast<std::uint32_t>(all[k].numbers[0]);
     set.index_of[set.id[k]] = static_cast<std::uint32_t>(k);
     const double* const state = all[k].numbers + width - 1 - more - set.state_size;
@@ -111,20 +113,20 @@ std::vector<double> unpack(Particles& set, std::size_t tiles, const std::vector<
   return besides;
 }
 
-void unpack(std::vector<Particles>& sets, std::size_t tiles, const std::vector<Parcel>& parcels) {
+void unpack(std::vector<Particles>& sets, std::size_t blocks, const std::vector<Parcel>& parcels) {
   std::vector<std::size_t> next(parcels.size(), 0);
   for (Particles& set : sets)
-    unpack(set, tiles, parcels, 0, next);
+    unpack(set, blocks, parcels, 0, next);
 }
 
 /// What of a domain ranks cannot share yet.
 std::optional<std::string> not_for_ranks(const Spec& spec) {
-  if (!spec.refine.empty())
-    return "a mesh of several levels";
+  if (spec.scheme.subcycle)
+    return "a mesh whose levels take steps of their own";
   if (!spec.earthworks.empty())
     return "soil that is placed or removed after a shaking";
-  if (spec.sides == Sides::periodic || spec.sides == Sides::periodic_springs)
-    return "a domain with periodic sides";
+  if (spec.sides == Sides::periodic_springs)
+    return "a domain with springs between its sides";
   if (spec.scheme.dispersion == Dispersion::reduced)
     return "a domain with reduced dispersion";
   return std::nullopt;
@@ -134,6 +136,8 @@ std::optional<std::string> not_for_ranks(const Spec& spec) {
 /// both come together on one rank.
 std::vector<std::vector<std::size_t>> tiles_of_images(const Ground& ground) {
   const Grid& grid = ground.grid;
+  if (ground.mesh)
+    return {}; // whose images are ties
   std::vector<bool> is_linked(static_cast<std::size_t>(grid.nx), false);
   for (int i = 0; i < grid.nx; ++i)
     if (const int real = grid.real_column(i); real != i)
@@ -151,25 +155,67 @@ std::vector<std::vector<std::size_t>> tiles_of_images(const Ground& ground) {
   return groups;
 }
 
-/// Tiles that structures, in these boxes, may touch, and all of elastic bodies, are the first rank's.
-Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> structures) {
-  Together together;
-  const auto is_touched = [&](std::size_t tile) {
-    return ground.tiles.level_of(tile) >= ground.soil_lattice_count() ||
-           std::ranges::any_of(structures,
-                               [&](const mesh::Rectangle& box) { return ground.tiles.reaches(tile, box); });
+/// Where the particles of all ranks are.
+struct Census {
+  std::vector<std::int64_t> on_lattice; ///< by tile: those that touch one lattice
+  std::vector<std::int64_t> across;     ///< by tile: all others
+
+  explicit Census(const Ground& ground)
+      : on_lattice(ground.tiles.count(), 0), across(ground.tiles.count(), 0) {}
+  std::int64_t all_across() const { return std::reduce(across.begin(), across.end()); }
+};
+
+/// Boxes around nodes that a graded mesh ties, and those that they follow: as far as particles across
+/// lattices may touch nodes.
+std::vector<mesh::Rectangle> boxes_of_ties(const Ground& ground) {
+  std::vector<mesh::Rectangle> boxes;
+  if (!ground.mesh)
+    return boxes;
+  const auto add = [&](std::size_t node) {
+    const NodePlace place = ground.place_of(node);
+    const double reach = 4.0 * ground.lattice(place.level).h; // two cells of the coarser lattice, or four
+    boxes.push_back({place.at.x - reach, place.at.y - reach, place.at.x + reach, place.at.y + reach});
   };
-  for (std::size_t tile = 0; tile < ground.tiles.count(); ++tile)
-    if (is_touched(tile))
-      together.of_first.push_back(tile);
+  const Prolongation& ties = ground.ties();
+  for (std::size_t row = 0; row < ties.tied_count(); ++row) {
+    add(ties.tied(row));
+    for (const Share& share : ties.row(row))
+      add(share.node);
+  }
+  return boxes;
+}
+
+/// What structures, in these boxes, may touch, what joins lattices, and all of elastic bodies is the first
+/// rank's.
+Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> structures,
+                        const Census& census) {
+  const TileMap& tiles = ground.tiles;
+  std::vector<bool> is_of_first(tiles.count(), false);
+  const auto take = [&](const std::vector<std::size_t>& some) {
+    for (const std::size_t tile : some)
+      is_of_first[tile] = true;
+  };
+  std::vector<mesh::Rectangle> boxes = boxes_of_ties(ground);
+  boxes.insert(boxes.end(), structures.begin(), structures.end());
+  for (const mesh::Rectangle& box : boxes)
+    for (int level = 0; level < ground.soil_lattice_count(); ++level)
+      take(tiles.reaching(level, box));
+  for (std::size_t tile = 0; tile < tiles.count(); ++tile)
+    if (census.across[tile] > 0)
+      take(tiles.around(tile)); // a large particle that lies in small cells all around
+    else if (tiles.level_of(tile) >= ground.soil_lattice_count())
+      is_of_first[tile] = true;
+
+  Together together;
+  together.besides = census.all_across();
   for (std::vector<std::size_t>& group : tiles_of_images(ground))
-    if (std::ranges::any_of(group, is_touched))
-      together.of_first.insert(together.of_first.end(), group.begin(), group.end());
+    if (std::ranges::any_of(group, [&](std::size_t tile) { return is_of_first[tile]; }))
+      take(group);
     else
       together.groups.push_back(std::move(group));
-  std::ranges::sort(together.of_first);
-  const auto twice = std::ranges::unique(together.of_first);
-  together.of_first.erase(twice.begin(), twice.end());
+  for (std::size_t tile = 0; tile < tiles.count(); ++tile)
+    if (is_of_first[tile])
+      together.of_first.push_back(tile);
   return together;
 }
 
@@ -187,46 +233,57 @@ void require_shareable(const Spec& spec) {
 
 void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
   require_shareable(ground.spec);
-  std::vector<std::int64_t> particles(ground.tiles.count(), 0);
+  Census census(ground);
   for (const Particles& set : ground.sets)
-    for (std::size_t tile = 0; tile < particles.size(); ++tile)
-      particles[tile] += static_cast<std::int64_t>(set.block_start[tile + 1] - set.block_start[tile]);
-  const Together together = tiles_together(ground, structures);
-  ground.share = RankShare{&ranks, deal_out(ground.tiles, std::move(particles), ranks.size(), together),
-                           std::move(structures)};
+    for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block)
+      (block < ground.block_count() ? census.on_lattice : census.across)[block % ground.tiles.count()] +=
+          static_cast<std::int64_t>(set.block_start[block + 1] - set.block_start[block]);
+  const Together together = tiles_together(ground, structures, census);
+  ground.share =
+      RankShare{&ranks, deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together),
+                together.besides, std::move(structures)};
   std::vector<Parcel> parcels(1);
   for (const Particles& set : ground.sets)
     pack(
-        set, [&](std::size_t, std::size_t tile) { return ground.share->is_mine(tile) ? 0 : no_rank; },
+        set,
+        [&](std::size_t, std::size_t block) {
+          return ground.share->is_mine(block % ground.tiles.count()) ? 0 : no_rank;
+        },
         add_nothing, parcels);
-  unpack(ground.sets, ground.tiles.count(), parcels);
+  unpack(ground.sets, ground.block_count() + ground.across_block_count(), parcels);
   resize_fields(ground.grid, ground.grid.size());
 }
 
 void move_between_ranks(Ground& ground) {
   RankShare& share = *ground.share;
-  std::vector<std::int64_t> particles(ground.tiles.count(), 0);
+  Census census(ground);
   std::vector<std::vector<std::size_t>> tile_of_particle;
   for (const Particles& set : ground.sets) {
     std::vector<std::size_t>& tile = tile_of_particle.emplace_back(set.size());
     const int level = set.body ? ground.soil_lattice_count() + static_cast<int>(*set.body) : 0;
     for (std::size_t k = 0; k < set.size(); ++k) {
-      tile[k] = tile_of(set, k, ground.tiles, level);
-      ++particles[tile[k]];
+      const LatticeOfParticle of = ground.mesh && !set.body
+                                       ? lattice_of(set, k, *ground.mesh, ground.sort_distance())
+                                       : LatticeOfParticle{level, true};
+      tile[k] = tile_of(set, k, ground.tiles, of.level);
+      ++(of.alone ? census.on_lattice : census.across)[tile[k]];
     }
   }
-  share.ranks->add(particles);
-  share.deal = follow(share.deal, ground.tiles, std::move(particles), share.ranks->size(),
-                      tiles_together(ground, share.structures));
+  share.ranks->add(census.on_lattice);
+  if (ground.mesh)
+    share.ranks->add(census.across);
+  share.across = census.all_across();
+  const Together together = tiles_together(ground, share.structures, census);
+  share.deal = follow(share.deal, ground.tiles, std::move(census.on_lattice), share.ranks->size(), together);
   std::vector<Parcel> parcels = empty_parcels(*share.ranks);
-  std::size_t tiles_before = 0;
+  std::size_t blocks_before = 0;
   for (std::size_t s = 0; s < ground.sets.size(); ++s) {
     pack(
         ground.sets[s], [&](std::size_t k, std::size_t) { return share.owner(tile_of_particle[s][k]); },
         add_nothing, parcels);
-    tiles_before = ground.sets[s].block_start.size() - 1;
+    blocks_before = ground.sets[s].block_start.size();
   }
-  unpack(ground.sets, tiles_before, share.ranks->swap(parcels));
+  unpack(ground.sets, blocks_before, share.ranks->swap(parcels));
 }
 
 GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t more,
@@ -250,7 +307,8 @@ GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t
   gathered.sets = ground.sets;
   std::vector<std::size_t> next(received.size(), 0);
   for (Particles& set : gathered.sets)
-    gathered.numbers.push_back(unpack(set, ground.tiles.count(), received, more, next));
+    gathered.numbers.push_back(
+        unpack(set, ground.block_count() + ground.across_block_count(), received, more, next));
   return gathered;
 }
 

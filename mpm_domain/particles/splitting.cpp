@@ -2,6 +2,7 @@
 
 #include "mpm_domain/grid/box_average.hpp"
 #include "mpm_domain/particles/change_of_set.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -64,6 +65,17 @@ void add_quarters(const Particles& whole, std::size_t k, Particles& to, const Gr
   }
 }
 
+/// Particles are cut on the first rank alone, which has all of those next to other cells. Others take over
+/// how many ids there are.
+void count_ids(Ground& ground) {
+  std::vector<double> counts;
+  for (const Particles& set : ground.sets)
+    counts.push_back(static_cast<double>(set.index_of.size()));
+  take_largest(ground, counts);
+  for (std::size_t s = 0; s < ground.sets.size(); ++s)
+    ground.sets[s].index_of.resize(static_cast<std::size_t>(counts[s]), Particles::nowhere);
+}
+
 } // namespace
 
 std::size_t split_particles(Ground& ground) {
@@ -84,6 +96,8 @@ std::size_t split_particles(Ground& ground) {
       remove(set, gone);
     count += gone.size();
   }
+  if (ground.share)
+    count_ids(ground);
   return count;
 }
 

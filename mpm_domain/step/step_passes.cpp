@@ -52,9 +52,7 @@ void tell_of_structures(Domain& domain) {
     fields.insert(fields.end(), {&grid.wx_after, &grid.wy_after});
   std::vector<double*> told;
   for (const std::size_t node : domain.boundary.shared_nodes()) {
-    const auto row = static_cast<std::size_t>(grid.nx);
-    const Vector place{grid.x0 + static_cast<double>(node % row) * grid.h,
-                       grid.y0 + static_cast<double>(node / row) * grid.h};
+    const Vector place = domain.place_of(node).at;
     if (std::ranges::any_of(domain.share->structures, [&](const mesh::Rectangle& box) {
           return place.x > box.x_min && place.x < box.x_max && place.y > box.y_min && place.y < box.y_max;
         }))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -47,13 +48,21 @@ struct Piece {
 /// All but those that are the first rank's anyway, along the curve.
 std::vector<Piece> pieces_along_curve(const TileMap& tiles, const std::vector<std::int64_t>& particles,
                                       const Together& together) {
-  const auto longest = static_cast<std::uint32_t>(
-      std::max(tiles.lattice(0).nx / tile_columns, tiles.lattice(0).ny / tile_rows));
-  const std::uint32_t size = std::bit_ceil(longest + 1);
+  // The curve goes through tiles of the finest lattice, and meets others at their first corner.
+  const Lattice& root = tiles.lattice(0);
+  double h = root.h;
+  for (int level = 1; level < tiles.lattice_count(); ++level)
+    h = std::min(h, tiles.lattice(level).h);
+  const auto in_tiles = [&](double way, int nodes) {
+    return static_cast<std::uint32_t>(std::max(0.0, std::floor((way + 0.5 * h) / (h * nodes))));
+  };
+  const std::uint32_t size = std::bit_ceil(
+      1 + std::max(in_tiles(root.nx * root.h, tile_columns), in_tiles(root.ny * root.h, tile_rows)));
   const auto place_of = [&](std::size_t tile) {
     const NodeBlock own = tiles.owned(tile);
-    return hilbert_place(size, static_cast<std::uint32_t>(own.column / tile_columns),
-                         static_cast<std::uint32_t>(own.row / tile_rows));
+    const Lattice& of = tiles.lattice(tiles.level_of(tile));
+    return hilbert_place(size, in_tiles(of.x0 + own.column * of.h - root.x0, tile_columns),
+                         in_tiles(of.y0 + own.row * of.h - root.y0, tile_rows));
   };
   std::vector<bool> is_taken(particles.size(), false);
   for (const std::size_t tile : together.of_first)
@@ -134,7 +143,8 @@ Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> particles, int ran
               const Together& together) {
   Deal deal{std::vector<int>(particles.size(), Deal::nobody), std::move(particles)};
   std::int64_t total = std::accumulate(deal.particles.begin(), deal.particles.end(), std::int64_t{0});
-  std::int64_t before = particles_in(together.of_first, deal.particles);
+  std::int64_t before = particles_in(together.of_first, deal.particles) + together.besides;
+  total += together.besides;
   for (const std::size_t tile : together.of_first)
     deal.owner[tile] = 0;
   // Where these are a full share, all others are for the other ranks.
@@ -165,14 +175,16 @@ Deal follow(const Deal& present, const TileMap& tiles, std::vector<std::int64_t>
 
 double unevenness(const Deal& deal, int ranks, const Together& together) {
   std::vector<std::int64_t> load(static_cast<std::size_t>(ranks), 0);
-  std::int64_t total = 0;
+  load.front() = together.besides;
+  std::int64_t total = together.besides;
   for (std::size_t tile = 0; tile < deal.owner.size(); ++tile)
     if (deal.particles[tile] > 0) {
       load[static_cast<std::size_t>(deal.owner[tile])] += deal.particles[tile];
       total += deal.particles[tile];
     }
   const double mean = static_cast<double>(total) / static_cast<double>(ranks);
-  const double least = std::max(mean, static_cast<double>(particles_in(together.of_first, deal.particles)));
+  const double least =
+      std::max(mean, static_cast<double>(particles_in(together.of_first, deal.particles) + together.besides));
   return static_cast<double>(std::ranges::max(load)) / least;
 }
 

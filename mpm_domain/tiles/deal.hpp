@@ -7,8 +7,9 @@
 // be ready for those that come before the next sort.
 //
 // Some tiles stay together. The first rank holds all that structures touch: what passes between structures
-// and soil is worked out there alone, from the tiles of all particles and nodes that take part. These go to
-// the first rank whatever they hold, and the others make up for it. Tiles whose nodes are images of each
+// and soil is worked out there alone, from the tiles of all particles and nodes that take part. It also holds
+// all tiles next to cells of other sizes, so that nothing that joins lattices concerns others. These tiles go
+// to the first rank whatever they hold, and the others make up for it. Tiles whose nodes are images of each
 // other are dealt as one, where the first of them lies on the curve.
 
 #include "mpm_domain/tiles/tile_map.hpp"
@@ -25,7 +26,7 @@ struct Deal {
   static constexpr int nobody = -1;
 
   std::vector<int> owner;              ///< by tile; nobody: no particle comes near it before the next sort
-  std::vector<std::int64_t> particles; ///< by tile, those of all ranks
+  std::vector<std::int64_t> particles; ///< by tile, those of all ranks that are on its lattice alone
 };
 
 /// Particles of the fullest rank over their mean, beyond which tiles are dealt anew.
@@ -33,7 +34,8 @@ inline constexpr double most_uneven = 1.15;
 
 /// Tiles that stay together. Each tile is alone or in one of these lists, whose tiles rise.
 struct Together {
-  std::vector<std::size_t> of_first; ///< of the first rank; those of all lattices but the first among them
+  std::vector<std::size_t> of_first;
+  std::int64_t besides = 0; ///< particles of the first rank that are not on one lattice alone
   std::vector<std::vector<std::size_t>> groups; ///< each of one rank
 };
 
@@ -54,6 +56,7 @@ double unevenness(const Deal& deal, int ranks, const Together& together = {});
 struct RankShare {
   Communicator* ranks; ///< outlives the domain
   Deal deal;
+  std::int64_t across = 0;                 ///< particles of all ranks that are not on one lattice alone
   std::vector<mesh::Rectangle> structures; ///< boxes around all that these may touch until the next sort
 
   int owner(std::size_t tile) const { return deal.owner[tile]; }

@@ -1,6 +1,7 @@
 #include "mpm_domain/tiles/tile_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tremolo::mpm_domain {
@@ -63,6 +64,22 @@ bool TileMap::reaches(std::size_t tile, const mesh::Rectangle& box) const {
   const NodeBlock nodes = window(tile);
   return of.x0 + nodes.column * of.h < box.x_max && of.x0 + nodes.end_column() * of.h > box.x_min &&
          of.y0 + nodes.row * of.h < box.y_max && of.y0 + nodes.end_row() * of.h > box.y_min;
+}
+
+std::vector<std::size_t> TileMap::reaching(int level, const mesh::Rectangle& box) const {
+  const Lattice& of = lattice(level);
+  const auto node = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / of.h)); };
+  const auto [level_low, first_column, first_row] =
+      place_of(tile_of(level, node(box.x_min, of.x0) - window_columns, node(box.y_min, of.y0) - window_rows));
+  const auto [level_high, last_column, last_row] =
+      place_of(tile_of(level, node(box.x_max, of.x0) + window_columns, node(box.y_max, of.y0) + window_rows));
+  std::vector<std::size_t> tiles;
+  for (int row = first_row; row <= last_row; ++row)
+    for (int column = first_column; column <= last_column; ++column)
+      if (const std::size_t tile = first(level) + static_cast<std::size_t>(row * columns(level) + column);
+          reaches(tile, box))
+        tiles.push_back(tile);
+  return tiles;
 }
 
 std::vector<std::size_t> TileMap::around(std::size_t tile) const {

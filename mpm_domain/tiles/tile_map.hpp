@@ -53,6 +53,7 @@ public:
   std::size_t count() const { return starts_.back(); }
   /// The tiles of a lattice are [first(level), first(level + 1)).
   std::size_t first(int level) const { return starts_[static_cast<std::size_t>(level)]; }
+  int lattice_count() const { return static_cast<int>(lattices_.size()); }
   /// The largest number of tiles in a row of any lattice.
   std::size_t most_columns() const;
   const Lattice& lattice(int level) const { return lattices_[static_cast<std::size_t>(level)]; }
@@ -69,6 +70,8 @@ public:
   NodeBlock window(std::size_t tile) const;
   /// Whether a box holds nodes that the particles of a tile may touch, or lies between them.
   bool reaches(std::size_t tile, const mesh::Rectangle& box) const;
+  /// The tiles of a lattice of which that holds, rising.
+  std::vector<std::size_t> reaching(int level, const mesh::Rectangle& box) const;
   /// The tiles of the same lattice whose windows may hold nodes that this tile owns, itself included, in
   /// rising order.
   std::vector<std::size_t> around(std::size_t tile) const;

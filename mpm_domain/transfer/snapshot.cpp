@@ -43,7 +43,10 @@ Snapshot::Extent Snapshot::take(Extent wanted) {
     return wanted;
   Wanted is_wanted;
   if (wanted == Extent::followed)
-    is_wanted = [&](std::size_t set, std::size_t k) { return followed_[set][ground_.sets[set].id[k]]; };
+    is_wanted = [&](std::size_t set, std::size_t k) {
+      const std::uint32_t id = ground_.sets[set].id[k]; // particles that have been cut are not among them
+      return id < followed_[set].size() && followed_[set][id];
+    };
   copy_ = gather_sets(ground_, is_wanted, 2, [&](std::size_t set, std::size_t k, std::vector<double>& to) {
     const Vector a = particle_acceleration(ground_, ground_.sets[set], k);
     to.insert(to.end(), {a.x, a.y});

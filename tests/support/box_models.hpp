@@ -28,6 +28,17 @@ inline void add_springs(mpm_domain::Spec& spec, double across, double along, mpm
     spec.springs.push_back({side, across, along, centre, lags && side == Side::base});
 }
 
+/// @param below  what stands below the base
+inline void make_periodic(mpm_domain::Spec& spec, const materials::Elasticity& below = {2600.0, 1e9, 0.2}) {
+  spec.sides = mpm_domain::Sides::periodic;
+  spec.below_base = below;
+}
+
+/// A corner of the box in cells of half the size, and part of it in cells of a quarter.
+inline void refine_corner(mpm_domain::Spec& spec) {
+  spec.refine = {{{0.0, -14.0, 30.0, 0.0}, 1}, {{0.0, -5.0, 12.0, 0.0}, 2}};
+}
+
 inline void put_into_container(mpm_domain::Spec& spec) {
   spec.sides = mpm_domain::Sides::container;
   spec.rigid_base = true;

@@ -13,11 +13,12 @@ import unittest
 from pathlib import Path
 
 TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
-sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parents[1] / "resume")]
+sys.path[:0] = [str(SOURCE / "python"), *(str(Path(__file__).parents[1] / folder) for folder in ("resume", "structures"))]
 
 from broken_run import SlopeWorkspace, checkpoints, differences, with_checkpoints
 from processes import alive, children, ranks_below
-from small_case import refine
+from small_case import SLOPE_BOXES, refine, subcycled
+from structure_cases import AnchoredWorkspace
 
 
 def ranks_of(launcher):
@@ -85,6 +86,29 @@ class Ranks(unittest.TestCase):
         self.resume_with(self.end_with_its_name(0), 1)
 
 
+class WideAnchored(AnchoredWorkspace):
+    """Half of the tiles touch the anchored block."""
+
+    template = AnchoredWorkspace.template.replace("8.0", "24.0")
+
+
+@unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
+class Joined(unittest.TestCase):
+    """What the first rank alone works out: a block with an anchor, and where cells of several sizes meet."""
+
+    def give_the_bits_of_one(self, work):
+        with with_checkpoints(work, every_steps=100) as work:
+            whole = work.run("whole", "--threads", 1)
+            shared = work.run("shared", "--threads", 1, "--ranks", 2, "--oversubscribe")
+            self.assertEqual([], differences(shared, whole))
+
+    def test_structure_and_anchor(self):
+        self.give_the_bits_of_one(WideAnchored(TREMOLO, duration=0.7))
+
+    def test_levels(self):
+        self.give_the_bits_of_one(refine(SlopeWorkspace(TREMOLO, duration=0.5), *SLOPE_BOXES))
+
+
 class Refused(unittest.TestCase):
     def refused(self, work, *options):
         result = work.command("run", work.case, "--out", "refused", *options)
@@ -104,8 +128,9 @@ class Refused(unittest.TestCase):
 
     @unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
     def test_what_ranks_cannot_share(self):
-        with refine(SlopeWorkspace(TREMOLO), ([20.0, 0.0, 30.0, 8.0], 1)) as work:
-            expected = "--ranks 2: ranks cannot share a mesh of several levels yet: leave out --ranks and take more --threads"
+        with subcycled(refine(SlopeWorkspace(TREMOLO), ([20.0, 0.0, 30.0, 8.0], 1))) as work:
+            expected = ("--ranks 2: ranks cannot share a mesh whose levels take steps of their own yet: leave out --ranks and take more "
+                        "--threads")
             self.assertIn(expected, self.refused(work, "--ranks", 2, "--oversubscribe"))
 
 

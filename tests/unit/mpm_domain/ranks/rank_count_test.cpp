@@ -31,7 +31,9 @@ using test_support::add_layers;
 using test_support::add_sloping_water;
 using test_support::add_springs;
 using test_support::add_water;
+using test_support::make_periodic;
 using test_support::put_into_container;
+using test_support::refine_corner;
 using test_support::SavedState;
 using test_support::yield;
 
@@ -41,6 +43,7 @@ struct Model {
   std::function<void(Spec&)> change;
   int steps;
   mpm_domain::Vector drift = {}; ///< velocity of the whole scene, m/s
+  bool cuts = false;             ///< whether particles are cut on the way
 };
 
 /// A slope down to half the height, whose upper tiles are empty or nearly so.
@@ -93,14 +96,34 @@ const Model models[] = {
      20},
     // Over several tiles: particles change ranks, tiles are dealt anew, the grid grows.
     {"Drifting", [](Spec& spec) { yield(spec); }, 120, {120.0, 40.0}},
-    {"Building", test_support::add_building, 30},
-    {"BuildingAtSide", test_support::add_building_at_side, 30},
-    {"Neighbours", test_support::add_neighbours, 30},
-    {"ProppedWalls", test_support::add_propped_walls, 30},
-    {"Lining", test_support::add_lining, 30},
-    {"SurfaceLoads", test_support::add_surface_loads, 40},
-    {"WetBox", test_support::add_wet_box, 40},
-    {"DriftingBuilding", test_support::add_building, 120, {120.0, 40.0}},
+    {"Building", test_support::add_building, 20},
+    {"BuildingAtSide", test_support::add_building_at_side, 20},
+    {"Neighbours", test_support::add_neighbours, 15},
+    {"ProppedWalls", test_support::add_propped_walls, 20},
+    {"Lining", test_support::add_lining, 15},
+    {"SurfaceLoads", test_support::add_surface_loads, 15},
+    {"WetBox", test_support::add_wet_box, 15},
+    {"Periodic", [](Spec& spec) { make_periodic(spec), yield(spec); }, 20},
+    {"PeriodicWet", [](Spec& spec) { add_water(spec, materials::Drainage::coupled), make_periodic(spec); },
+     15},
+    {"PeriodicDrift", [](Spec& spec) { make_periodic(spec), yield(spec); }, 40, {120.0, 0.0}},
+    {"PeriodicBuilding", [](Spec& spec) { make_periodic(spec), test_support::add_building(spec); }, 15},
+    {"Levels", [](Spec& spec) { refine_corner(spec), yield(spec); }, 15},
+    {"LevelsWet", [](Spec& spec) { add_water(spec, materials::Drainage::coupled), refine_corner(spec); }, 10},
+    {"LevelsBuilding",
+     [](Spec& spec) {
+       spec.refine = {{{20.0, -15.0, 45.0, 0.0}, 1}};
+       test_support::add_building(spec);
+     },
+     10},
+    {"LevelsPeriodic",
+     [](Spec& spec) {
+       spec.refine = {{{40.0, -14.0, 60.0, 0.0}, 1}};
+       make_periodic(spec);
+     },
+     10},
+    {"LevelsDrifting", [](Spec& spec) { refine_corner(spec), yield(spec); }, 40, {-60.0, 20.0}, true},
+    {"DriftingBuilding", test_support::add_building, 60, {120.0, 40.0}},
     {"FallingSlope", [](Spec& spec) { slope(spec), yield(spec); }, 120, {-80.0, -60.0}},
 };
 
@@ -169,7 +192,9 @@ TEST_P(RankCount, DoesNotChangeABit) {
   std::optional<Scene> whole; // of rank 0
   if (ranks.rank() == 0) {
     whole.emplace(GetParam(), 1, nullptr);
+    const std::size_t before = whole->domain().particle_count();
     whole->steps(GetParam().steps);
+    EXPECT_EQ(whole->domain().particle_count() > before, GetParam().cuts);
     EXPECT_NE(whole->domain().energy.kinetic, 0.0);
   }
   for (const int threads : {1, 2}) {
@@ -193,16 +218,19 @@ TEST_P(RankCount, DoesNotChangeABit) {
 TEST(Ranks, GoOnFromTheStateOfOneRank) {
   TREMOLO_NEED_RANKS();
   mpm_domain::Communicator& ranks = *test_support::test_ranks();
-  const Model& model = *std::ranges::find(models, std::string_view("Drifting"), &Model::name);
-  Scene whole(model, 1, nullptr);
-  whole.steps(23);
-  Scene shared(model, 1, nullptr);
-  shared.load(whole.state(), &ranks);
-  shared.steps(20);
-  const SavedState state = shared.state();
-  if (ranks.rank() == 0) {
-    whole.steps(20);
-    expect_same(whole.state(), state);
+  for (const std::string_view name : {"Drifting", "LevelsDrifting"}) {
+    SCOPED_TRACE(name);
+    const Model& model = *std::ranges::find(models, name, &Model::name);
+    Scene whole(model, 1, nullptr);
+    whole.steps(23);
+    Scene shared(model, 1, nullptr);
+    shared.load(whole.state(), &ranks);
+    shared.steps(15);
+    const SavedState state = shared.state();
+    if (ranks.rank() == 0) {
+      whole.steps(15);
+      expect_same(whole.state(), state);
+    }
   }
 }
 
