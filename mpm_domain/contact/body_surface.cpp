@@ -19,63 +19,83 @@ const double least_facing = std::sqrt(0.5);
 
 } // namespace
 
-BodySurface::BodySurface(std::vector<Vector> points) : points_(std::move(points)), kinds_(points_.size()) {
+BodySurface::BodySurface(std::vector<Vector> points) : kinds_(points.size()) {
+  place(std::move(points));
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    const Vector to = normal_of_edge_to(k);
-    const Vector from = normal_of_edge_to((k + 1) % points_.size());
+    const Vector& to = normals_[k];
+    const Vector& from = normals_[(k + 1) % points_.size()];
     const double turn = cross(to, from);
     if (std::abs(turn) > least_turn || dot(to, from) < 0.0)
       kinds_[k] = turn > 0.0 ? Point::toe : Point::inner_corner;
   }
 }
 
-Vector BodySurface::normal_of_edge_to(std::size_t k) const {
-  const Vector from = points_[before(k)];
-  const Vector edge = points_[k] - from;
-  const double per_length = 1.0 / std::hypot(edge.x, edge.y);
-  return {edge.y * per_length, -edge.x * per_length};
-}
-
-mesh::Rectangle BodySurface::bounds() const {
-  mesh::Rectangle box{points_.front().x, points_.front().y, points_.front().x, points_.front().y};
-  for (const Vector& point : points_)
-    box = {std::min(box.x_min, point.x), std::min(box.y_min, point.y), std::max(box.x_max, point.x),
-           std::max(box.y_max, point.y)};
-  return box;
+void BodySurface::place(std::vector<Vector> points) {
+  points_ = std::move(points);
+  normals_.resize(points_.size());
+  edges_.resize((points_.size() + 3) / 4);
+  bounds_ = {points_.front().x, points_.front().y, points_.front().x, points_.front().y};
+  for (std::size_t n = 0; n < 4 * edges_.size(); ++n) {
+    const std::size_t k = std::min(n, points_.size() - 1);
+    const Vector& to = points_[k];
+    const Vector& from = points_[before(k)];
+    const Vector edge = to - from;
+    const double length2 = dot(edge, edge);
+    const double per_length = 1.0 / std::sqrt(length2);
+    normals_[k] = {edge.y * per_length, -edge.x * per_length};
+    FourEdges& four = edges_[n / 4];
+    four.from_x[n % 4] = from.x;
+    four.from_y[n % 4] = from.y;
+    four.x[n % 4] = edge.x;
+    four.y[n % 4] = edge.y;
+    four.per_length2[n % 4] = 1.0 / length2;
+    bounds_ = {std::min(bounds_.x_min, to.x), std::min(bounds_.y_min, to.y), std::max(bounds_.x_max, to.x),
+               std::max(bounds_.y_max, to.y)};
+  }
 }
 
 bool BodySurface::contains(const Vector& place) const {
-  return mesh::inside(points_, place.x, place.y);
+  return place.x >= bounds_.x_min && place.x <= bounds_.x_max && place.y >= bounds_.y_min &&
+         place.y <= bounds_.y_max && mesh::inside(points_, place.x, place.y);
+}
+
+std::size_t BodySurface::nearest_edge(const Vector& place) const {
+  Lanes least = all(std::numeric_limits<double>::infinity());
+  Lanes four_of_least{};
+  for (std::size_t four = 0; four < edges_.size(); ++four) {
+    const FourEdges& e = edges_[four];
+    const Lanes x = place.x - e.from_x;
+    const Lanes y = place.y - e.from_y;
+    const Lanes t = clamp((x * e.x + y * e.y) * e.per_length2, 0.0, 1.0);
+    const Lanes to_x = x - t * e.x;
+    const Lanes to_y = y - t * e.y;
+    const Lanes distance2 = to_x * to_x + to_y * to_y;
+    const LaneMask nearer = distance2 < least;
+    least = choose(nearer, distance2, least);
+    four_of_least = choose(nearer, all(static_cast<double>(four)), four_of_least);
+  }
+  std::size_t lane = 0;
+  for (std::size_t other = 1; other < 4; ++other)
+    if (least[other] < least[lane] ||
+        (least[other] == least[lane] && four_of_least[other] < four_of_least[lane]))
+      lane = other;
+  return std::min(4 * static_cast<std::size_t>(four_of_least[lane]) + lane, points_.size() - 1);
 }
 
 BodySurface::Nearest BodySurface::nearest(const Vector& place) const {
-  double least = std::numeric_limits<double>::infinity();
-  Vector away{};        // from the surface to the place
-  Vector edge_normal{}; // of the edge that it belongs to
-  bool at_end = false;
-  bool corner = false;
-  for (std::size_t i = 0, j = points_.size() - 1; i < points_.size(); j = i++) {
-    const Vector a = points_[j];
-    const Vector edge = points_[i] - a;
-    const Vector from_a = place - a;
-    const double length2 = dot(edge, edge);
-    const double along = dot(from_a, edge) / length2;
-    const double t = std::clamp(along, 0.0, 1.0);
-    const Vector to = from_a - t * edge;
-    const double distance2 = dot(to, to);
-    if (distance2 < least) {
-      least = distance2;
-      away = to;
-      at_end = t != along;
-      corner = at_end && kinds_[along < 0.0 ? j : i] != Point::round;
-      const double per_length = 1.0 / std::sqrt(length2);
-      edge_normal = {edge.y * per_length, -edge.x * per_length};
-    }
-  }
-  const double distance = std::sqrt(least);
+  const std::size_t k = nearest_edge(place);
+  const Vector& from = points_[before(k)];
+  const Vector edge = points_[k] - from;
+  const double along = dot(place - from, edge) / dot(edge, edge);
+  const double t = std::clamp(along, 0.0, 1.0);
+  const Vector away = place - from - t * edge;
+  const double distance = std::sqrt(dot(away, away));
+  if (t == along) // from within the edge, it shows on which side of it a place lies
+    return {std::copysign(distance, dot(away, normals_[k])), normals_[k], false};
+  const bool corner = kinds_[along < 0.0 ? before(k) : k] != Point::round;
+  if (distance == 0.0)
+    return {0.0, normals_[k], corner};
   const double sense = contains(place) ? -1.0 : 1.0;
-  if (!at_end || distance == 0.0)
-    return {sense * distance, edge_normal, corner};
   return {sense * distance, {sense * away.x / distance, sense * away.y / distance}, corner};
 }
 
@@ -87,7 +107,7 @@ std::optional<BodySurface::Foot> BodySurface::foot(const Vector& place, const Ve
   std::optional<Foot> found;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    if (!faces(normal_of_edge_to(k), direction))
+    if (!faces(normals_[k], direction))
       continue;
     const Vector a = points_[before(k)];
     const Vector edge = points_[k] - a;
@@ -107,7 +127,7 @@ std::vector<BodySurface::Toe> BodySurface::toes() const {
   std::vector<Toe> toes;
   for (std::size_t k = 0; k < points_.size(); ++k)
     if (kinds_[k] == Point::toe)
-      toes.push_back({points_[k], {normal_of_edge_to(k), normal_of_edge_to((k + 1) % points_.size())}});
+      toes.push_back({points_[k], {normals_[k], normals_[(k + 1) % points_.size()]}});
   return toes;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/quadtree.hpp"
+#include "mpm_domain/kernel/lanes.hpp"
 #include "mpm_domain/spec/vector.hpp"
 
 #include <array>
@@ -20,9 +21,9 @@ public:
 
   const std::vector<Vector>& points() const { return points_; } ///< m
   /// Moves the points.
-  void place(std::vector<Vector> points) { points_ = std::move(points); }
+  void place(std::vector<Vector> points);
 
-  mesh::Rectangle bounds() const;
+  const mesh::Rectangle& bounds() const { return bounds_; }
   bool contains(const Vector& place) const;
 
   /// The point of the outline next to a place, how far that lies outside (m; negative inside), the normal
@@ -57,11 +58,21 @@ private:
 
   /// The point before one.
   std::size_t before(std::size_t k) const { return k == 0 ? points_.size() - 1 : k - 1; }
-  /// Normal of the edge that ends at a point, out of the body.
-  Vector normal_of_edge_to(std::size_t k) const;
+  /// Four edges, which are looked at together. The last four are filled up with the last edge.
+  struct FourEdges {
+    Lanes from_x{}, from_y{}; ///< the point where an edge begins, m
+    Lanes x{}, y{};           ///< from there to its end, m
+    Lanes per_length2{};      ///< 1/m2
+  };
+  /// The edge next to a place, by the point where it ends.
+  std::size_t nearest_edge(const Vector& place) const;
 
-  std::vector<Vector> points_;
   std::vector<Point> kinds_;
+  // All that follows moves with the points:
+  std::vector<Vector> points_;
+  std::vector<Vector> normals_; ///< of the edge that ends at a point, out of the body
+  std::vector<FourEdges> edges_;
+  mesh::Rectangle bounds_{};
 };
 
 /// A box with a margin (m) around it.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace tremolo::mpm_domain {
 
@@ -102,63 +103,89 @@ void ContactNodes::follow_sort(const Ground& ground, const BodySurface& surface,
     other.near = particles_near(ground, widened(surface.bounds(), margin), other.number);
 }
 
-void ContactNodes::find_touches(Ground& ground, const Meeting& meeting) {
-  const std::span<const NearParticle> near = meeting.near;
-  touches_.assign(near.size(), {});
-  const double h = ground.finest_lattice().h;
-  const double reach = 2.0 * h;
-  const mesh::Rectangle box = meeting.surface.bounds();
-  constexpr std::size_t part = 256;
-  ground.workers.run((near.size() + part - 1) / part, [&](std::size_t task) {
-    for (std::size_t n = task * part; n < std::min(near.size(), (task + 1) * part); ++n) {
-      const Particles& p = ground.sets[near[n].set];
-      const Vector place{p.x[near[n].index], p.y[near[n].index]};
-      if (place.x < box.x_min - reach || place.x > box.x_max + reach || place.y < box.y_min - reach ||
-          place.y > box.y_max + reach)
+void ContactNodes::find_reach(const Ground& ground, const Meeting& meeting) {
+  const Lattice& lattice = meeting.lattice;
+  const double empty = empty_mass(ground);
+  reach_.assign(window_.count(), Reach::none);
+  firsts_ = {window_.i0 - 3, window_.j0 - 3, window_.columns + 3, window_.rows + 3};
+  reaches_.assign(firsts_.count(), 0);
+  for (int j = window_.j0; j < window_.j0 + window_.rows; ++j)
+    for (int i = window_.i0; i < window_.i0 + window_.columns; ++i) {
+      const std::size_t place = window_.place(i, j);
+      if (ground.grid.mass[lattice.index(i, j)] <= empty)
         continue;
-      const BodySurface::Nearest nearest = meeting.surface.nearest(place);
-      double reaches = nearest.corner
-                           ? p.half_size
-                           : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
-      if (meeting.surface_of_other != nullptr)
-        reaches = std::min(reaches, std::max(0.0, -meeting.surface_of_other->nearest(place).distance));
-      touches_[n] = {nearest.distance - reaches, nearest.corner, {-nearest.normal.x, -nearest.normal.y}};
+      if (wall_[place] > least_wall_share * lattice.h ||
+          meeting.surface.contains({lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h}))
+        reach_[place] = Reach::whole;
+      else if (meeting.own != nullptr)
+        reach_[place] = Reach::faint;
+      if (reach_[place] == Reach::none)
+        continue;
+      for (int b = 0; b < 4; ++b)
+        for (int a = 0; a < 4; ++a)
+          reaches_[firsts_.place(i - a, j - b)] = 1;
     }
-  });
 }
 
-void ContactNodes::weigh_particles(const Ground& ground, const Meeting& meeting) {
-  entries_.clear();
+void ContactNodes::weigh_particles(Ground& ground, const Meeting& meeting) {
   const std::span<const NearParticle> near = meeting.near;
   const Lattice& lattice = meeting.lattice;
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
-  for (std::size_t n = 0; n < near.size(); ++n) {
-    const Particles& p = ground.sets[near[n].set];
-    const std::size_t k = near[n].index;
-    const double l = std::min(p.half_size, lattice.h);
-    const Weights wx = cell_weights(p.x[k], x_axis, l);
-    const Weights wy = cell_weights(p.y[k], y_axis, l);
-    for (std::size_t b = 0; b < 4; ++b)
-      for (std::size_t a = 0; a < 4; ++a) {
-        const int i = wx.base + static_cast<int>(a);
-        const int j = wy.base + static_cast<int>(b);
-        const double vs = p.volume[k] * wx.s[a] * wy.s[b];
-        if (vs > 0.0 && window_.has(i, j))
-          entries_.push_back({n,
-                              window_.place(i, j),
-                              vs,
-                              {p.volume[k] * wx.g[a] * wy.s[b], p.volume[k] * wx.s[a] * wy.g[b]}});
-      }
-  }
+  const mesh::Rectangle reached = widened(meeting.surface.bounds(), 2.0 * ground.finest_lattice().h);
+  constexpr std::size_t part = 128;
+  touches_.assign(near.size(), {});
+  entries_.resize((near.size() + part - 1) / part);
+  ground.workers.run(entries_.size(), [&](std::size_t task) {
+    std::vector<Entry>& entries = entries_[task];
+    entries.clear();
+    for (std::size_t n = task * part; n < std::min(near.size(), (task + 1) * part); ++n) {
+      const Particles& p = ground.sets[near[n].set];
+      const std::size_t k = near[n].index;
+      const int column = static_cast<int>(std::floor(x_axis.cells(p.x[k]))) - 1;
+      const int row = static_cast<int>(std::floor(y_axis.cells(p.y[k]))) - 1;
+      if (!firsts_.has(column, row) || reaches_[firsts_.place(column, row)] == 0)
+        continue;
+      const double l = std::min(p.half_size, lattice.h);
+      const Weights wx = cell_weights(p.x[k], x_axis, l);
+      const Weights wy = cell_weights(p.y[k], y_axis, l);
+      const std::size_t before = entries.size();
+      for (std::size_t b = 0; b < 4; ++b)
+        for (std::size_t a = 0; a < 4; ++a) {
+          const int i = wx.base + static_cast<int>(a);
+          const int j = wy.base + static_cast<int>(b);
+          if (!window_.has(i, j) || reach_[window_.place(i, j)] == Reach::none)
+            continue;
+          const double vs = p.volume[k] * wx.s[a] * wy.s[b];
+          if (vs > 0.0)
+            entries.push_back({n,
+                               window_.place(i, j),
+                               vs,
+                               {p.volume[k] * wx.g[a] * wy.s[b], p.volume[k] * wx.s[a] * wy.g[b]}});
+        }
+      if (entries.size() > before && lies_in(reached, p, k))
+        touches_[n] = touch(meeting, p, k);
+    }
+  });
+}
+
+ContactNodes::Touch ContactNodes::touch(const Meeting& meeting, const Particles& p, std::size_t k) {
+  const Vector place{p.x[k], p.y[k]};
+  const BodySurface::Nearest nearest = meeting.surface.nearest(place);
+  double reaches =
+      nearest.corner ? p.half_size : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
+  if (meeting.surface_of_other != nullptr)
+    reaches = std::min(reaches, std::max(0.0, -meeting.surface_of_other->nearest(place).distance));
+  return {nearest.distance - reaches, nearest.corner, {-nearest.normal.x, -nearest.normal.y}};
 }
 
 void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
   const Structure& structure = meeting.structure;
   sums_.assign(window_.count(), {});
-  for (const Entry& entry : entries_)
+  const auto entries = std::views::join(entries_);
+  for (const Entry& entry : entries)
     sums_[entry.place].least_gap = std::min(sums_[entry.place].least_gap, touches_[entry.near].gap);
-  for (const auto& [n, place, vs, gradient] : entries_) {
+  for (const auto& [n, place, vs, gradient] : entries) {
     const Particles& p = ground.sets[meeting.near[n].set];
     const std::size_t k = meeting.near[n].index;
     Sums& sums = sums_[place];
@@ -213,7 +240,7 @@ void ContactNodes::find_nodes(Ground& ground, const Meeting& meeting, std::span<
   const Grid& grid = ground.grid;
   window_ = nodes_around(lattice, surface.bounds());
   find_wall(surface, lattice, window_, wall_);
-  find_touches(ground, meeting);
+  find_reach(ground, meeting);
   weigh_particles(ground, meeting);
   sum_particles(ground, meeting);
   const double empty = empty_mass(ground);
@@ -221,15 +248,15 @@ void ContactNodes::find_nodes(Ground& ground, const Meeting& meeting, std::span<
   auto known = before.begin();
   for (int j = window_.j0; j < window_.j0 + window_.rows; ++j)
     for (int i = window_.i0; i < window_.i0 + window_.columns; ++i) {
-      const Sums& sums = sums_[window_.place(i, j)];
-      const std::size_t node = lattice.index(i, j);
-      if (grid.mass[node] <= empty || sums.volume <= 0.0)
+      const std::size_t in_window = window_.place(i, j);
+      const Sums& sums = sums_[in_window];
+      if (sums.volume <= 0.0)
         continue;
+      const std::size_t node = lattice.index(i, j);
       const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
       const bool at_edge = sums.surface > 0.0;
-      const bool faint =
-          wall_[window_.place(i, j)] <= least_wall_share * lattice.h && !surface.contains(place);
-      if (faint && (own == nullptr || !at_edge))
+      const bool faint = reach_[in_window] == Reach::faint;
+      if (faint && !at_edge)
         continue;
       const bool of_soil = length(sums.gradient) > 0.0;
       if (!at_edge && !of_soil)

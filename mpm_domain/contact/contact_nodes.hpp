@@ -42,6 +42,7 @@ namespace tremolo::mpm_domain {
 
 struct BodyLattice;
 struct Ground;
+struct Particles;
 
 /// What a contact node keeps from step to step while lattices move.
 struct NodeKey {
@@ -188,21 +189,30 @@ private:
     Vector gradient; ///< V grad S, m
   };
 
+  /// How the body's surface reaches a node of the window that has soil.
+  enum class Reach : std::uint8_t { none, faint, whole };
+
   /// Finds the nodes at which the body meets what lies on a lattice: the soil, or another structure.
   struct Meeting;
   void find_nodes(Ground& ground, const Meeting& meeting, std::span<const ContactNode> before);
-  void find_touches(Ground& ground, const Meeting& meeting);
-  void weigh_particles(const Ground& ground, const Meeting& meeting);
+  /// Finds which nodes of the window the surface reaches.
+  void find_reach(const Ground& ground, const Meeting& meeting);
+  /// Finds what near particles give to these nodes, and how those that give anything touch the body.
+  void weigh_particles(Ground& ground, const Meeting& meeting);
+  static Touch touch(const Meeting& meeting, const Particles& p, std::size_t k);
   void sum_particles(const Ground& ground, const Meeting& meeting);
   /// Finds the arms of the nodes of a rigid body (bearing.cpp).
   void bear_on(const BodySurface& surface, const Vector& centre, double h);
 
   std::vector<NearParticle> near_;
   std::vector<OtherStructure> others_;
-  std::vector<Touch> touches_; ///< by near particle of one meeting
-  std::vector<Entry> entries_; ///< by near particle
+  std::vector<Touch> touches_;              ///< by near particle of one meeting
+  std::vector<std::vector<Entry>> entries_; ///< by near particle, in parts
   NodeWindow window_;
-  std::vector<double> wall_; ///< L_I
+  std::vector<double> wall_;  ///< L_I
+  std::vector<Reach> reach_;  ///< of nodes of the window
+  NodeWindow firsts_;         ///< first nodes of particles that may reach the window
+  std::vector<char> reaches_; ///< by these: whether the particle reaches a node that the surface reaches
   std::vector<Sums> sums_;
   std::vector<Sums> of_nodes_; ///< of nodes_, in their order
   std::vector<ContactNode> nodes_;

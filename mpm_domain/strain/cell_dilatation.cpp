@@ -7,28 +7,52 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-GatherSums strain_range(Ground& ground, std::size_t s, const ParticleRange& range, double dt) {
-  Particles& p = ground.sets[s];
-  const WaitingStrains& strains = ground.waiting_strains[s];
+/// Particles whose law is one task.
+struct StrainPart {
+  std::size_t set;
+  std::size_t begin;
+  std::size_t count;
+};
+
+/// The parts of the particles of a clock, the same for any number of threads and ranks. A law may cost many
+/// times as much where it yields, so that tiles would keep some threads waiting for others.
+std::vector<StrainPart> parts_of(const Ground& ground, int clock) {
+  const ClockTiles& tiles = ground.clock_tiles[static_cast<std::size_t>(clock)];
+  std::vector<StrainPart> parts;
+  const auto cut = [&](std::size_t s, const ParticleRange& range) {
+    for (std::size_t first = range.begin; first < range.end; first += strain_chunk_size)
+      parts.push_back({s, first, std::min(strain_chunk_size, range.end - first)});
+  };
+  for (std::size_t s = 0; s < ground.sets.size(); ++s) {
+    if (!ground.sets[s].traits.cell_dilatation)
+      continue;
+    for (const std::size_t tile : tiles.sums.filled())
+      cut(s, ground.sets[s].in_block(ground.block(clock, tile)));
+    for (const AcrossTile& tile : tiles.across)
+      if (tile.set == s)
+        cut(s, {tile.weights.first(), tile.weights.end()});
+  }
+  return parts;
+}
+
+GatherSums strain_part(Ground& ground, const StrainPart& part, double dt) {
+  const WaitingStrains& strains = ground.waiting_strains[part.set];
   LaneSums sums;
   Increments moved{}; // lanes beyond the last particle are read, and count nothing
   Increments seen{};
-  for (std::size_t first = range.begin; first < range.end; first += strain_chunk_size) {
-    const std::size_t count = std::min(strain_chunk_size, range.end - first);
-    for (std::size_t c = 0; c < count; ++c) {
-      const std::size_t k = first + c;
-      const double mean = mean_of_cell(ground.grid, strains.cell[k]);
-      const double half_excess = 0.5 * (mean - (strains.exx[k] + strains.eyy[k]));
-      moved.exx[c] = strains.exx[k];
-      moved.eyy[c] = strains.eyy[k];
-      seen.exx[c] = strains.exx[k] + half_excess;
-      seen.eyy[c] = strains.eyy[k] + half_excess;
-      moved.gxy[c] = seen.gxy[c] = strains.gxy[k];
-      seen.wxy[c] = strains.wxy[k];
-      seen.plastic[c] = 0.0;
-    }
-    strain_chunk(p, first, count, seen, moved, dt, sums);
+  for (std::size_t c = 0; c < part.count; ++c) {
+    const std::size_t k = part.begin + c;
+    const double mean = mean_of_cell(ground.grid, strains.cell[k]);
+    const double half_excess = 0.5 * (mean - (strains.exx[k] + strains.eyy[k]));
+    moved.exx[c] = strains.exx[k];
+    moved.eyy[c] = strains.eyy[k];
+    seen.exx[c] = strains.exx[k] + half_excess;
+    seen.eyy[c] = strains.eyy[k] + half_excess;
+    moved.gxy[c] = seen.gxy[c] = strains.gxy[k];
+    seen.wxy[c] = strains.wxy[k];
+    seen.plastic[c] = 0.0;
   }
+  strain_chunk(ground.sets[part.set], part.begin, part.count, seen, moved, dt, sums);
   return sums.collected();
 }
 
@@ -86,19 +110,9 @@ std::vector<GatherSums> strain_by_cells(Ground& ground, int clock, double dt) {
         const double volume = ground.sets[s].volume[k];
         return CellValues{strains.cell[k], volume, volume * (strains.exx[k] + strains.eyy[k])};
       });
-  const std::span<const std::size_t> filled = tiles.sums.filled();
-  std::vector<GatherSums> sums(filled.size() + tiles.across.size());
-  ground.workers.run(sums.size(), [&](std::size_t task) {
-    if (task >= filled.size()) {
-      const AcrossTile& tile = tiles.across[task - filled.size()];
-      if (ground.sets[tile.set].traits.cell_dilatation)
-        sums[task] = strain_range(ground, tile.set, {tile.weights.first(), tile.weights.end()}, dt);
-      return;
-    }
-    for (std::size_t s = 0; s < ground.sets.size(); ++s)
-      if (ground.sets[s].traits.cell_dilatation)
-        sums[task] += strain_range(ground, s, ground.sets[s].in_block(ground.block(clock, filled[task])), dt);
-  });
+  const std::vector<StrainPart> parts = parts_of(ground, clock);
+  std::vector<GatherSums> sums(parts.size());
+  ground.workers.run(parts.size(), [&](std::size_t n) { sums[n] = strain_part(ground, parts[n], dt); });
   return sums;
 }
 

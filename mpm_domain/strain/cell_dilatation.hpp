@@ -52,7 +52,7 @@ void clear_strains(Ground& ground);
 
 /// Updates stress, state and volume of the particles of a clock whose strains over a step of dt (s) have been
 /// stored.
-/// @returns the sums of each tile
+/// @returns sums over parts of the particles, the same for any number of threads
 std::vector<GatherSums> strain_by_cells(Ground& ground, int clock, double dt);
 
 } // namespace tremolo::mpm_domain
