@@ -51,6 +51,8 @@ Domain::Domain(const Spec& specification)
   sort_particles(*this);
 }
 
+Domain::~Domain() = default;
+
 void sort_particles(Domain& domain) {
   if (domain.share)
     follow_structures(domain);

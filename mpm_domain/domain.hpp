@@ -19,6 +19,7 @@ struct Domain : Ground {
   /// Fills the regions with particles at rest and without stress.
   /// @throws std::invalid_argument for a spec that cannot be built
   explicit Domain(const Spec& specification);
+  ~Domain(); // in domain.cpp: it takes down some hundred fields
 
   Boundary boundary;
   SurfaceLoads loads;

@@ -357,6 +357,8 @@ Ground::Ground(const Spec& specification)
   waiting_pressures.resize(sets.size());
 }
 
+Ground::~Ground() = default;
+
 std::span<const Particles> Ground::sets_of_body(std::size_t body) const {
   const std::span<const Particles> all = body_sets();
   return {std::ranges::lower_bound(all, std::optional(body), {}, &Particles::body),

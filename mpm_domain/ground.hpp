@@ -80,6 +80,7 @@ struct Ground {
   /// Fills the regions with particles at rest and without stress.
   /// @throws std::invalid_argument for a spec that cannot be built
   explicit Ground(const Spec& specification);
+  ~Ground();
 
   Spec spec;
   std::optional<Head> head; ///< of the undisturbed water; none without water

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 namespace tremolo::materials {
 namespace {
@@ -22,14 +23,22 @@ concept Complete = requires(const L& law) {
   static_cast<std::vector<ParameterValue> (*)(const L&)>(parameters);
 };
 
-template <class... Laws>
-constexpr bool all_complete(std::type_identity<std::variant<Laws...>> /*law*/) {
-  return (Complete<Laws> && ...);
+template <class... Each>
+constexpr bool all_complete(std::type_identity<std::variant<Each...>> /*laws*/) {
+  return (Complete<Each> && ...);
 }
-static_assert(all_complete(std::type_identity<Law>{}),
+static_assert(all_complete(std::type_identity<Laws>{}),
               "a law lacks one of the functions in law/defaults.hpp");
 
 } // namespace
+
+static_assert(std::is_nothrow_move_constructible_v<Laws> && std::is_nothrow_move_assignable_v<Laws>);
+Law::Law() = default;
+Law::Law(const Law& other) = default;
+Law::Law(Law&& other) noexcept = default;
+Law& Law::operator=(const Law& other) = default;
+Law& Law::operator=(Law&& other) noexcept = default;
+Law::~Law() = default;
 
 Traits traits(const Law& law) {
   return std::visit([](const auto& one) { return traits(one); }, law);

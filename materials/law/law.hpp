@@ -3,7 +3,7 @@
 // The one interface of constitutive laws, used by columns and domain alike. A law is a plain struct of
 // parameters; what it does are free functions on blocks of points. Choosing the law costs one branch per
 // block, not per point. Nobody outside this folder asks which law it is: traits() and the functions below
-// answer instead. A law is added by its own files and its name in the list Law; defaults.hpp says what it
+// answer instead. A law is added by its own files and its name in the list Laws; defaults.hpp says what it
 // must bring.
 
 #include "materials/elastic/linear_elastic.hpp"
@@ -29,8 +29,22 @@
 
 namespace tremolo::materials {
 
-using Law = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay,
-                         Pm4Sand, Pdmy03>;
+using Laws = std::variant<LinearElastic, MohrCoulomb, MasingShear, IwanShear, DruckerPrager, MultiYieldClay,
+                          Pm4Sand, Pdmy03>;
+
+/// One of the laws. Its special members are those of the list, compiled once: in every file that copies a
+/// soil they would be a tenth of the code.
+class Law : public Laws {
+public:
+  using Laws::Laws;
+  using Laws::operator=;
+  Law();
+  Law(const Law& other);
+  Law(Law&& other) noexcept;
+  Law& operator=(const Law& other);
+  Law& operator=(Law&& other) noexcept;
+  ~Law();
+};
 
 /// What a law is like.
 Traits traits(const Law& law);

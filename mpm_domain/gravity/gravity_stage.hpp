@@ -103,7 +103,18 @@ struct ConstructionSettings : StageSettings {
   std::vector<Prop> props = {};
 };
 
-using StaticStage = std::variant<LoadSettings, ConstructionSettings>;
+/// One of both. Its special members are compiled once.
+class StaticStage : public std::variant<LoadSettings, ConstructionSettings> {
+public:
+  using variant::variant;
+  using variant::operator=;
+  StaticStage();
+  StaticStage(const StaticStage& other);
+  StaticStage(StaticStage&& other) noexcept;
+  StaticStage& operator=(const StaticStage& other);
+  StaticStage& operator=(StaticStage&& other) noexcept;
+  ~StaticStage();
+};
 
 /// A stage has run out of time before all was at rest.
 class NotAtRest : public std::runtime_error {

@@ -84,6 +84,13 @@ Course course_of(const StageSettings& settings) {
 
 } // namespace
 
+StaticStage::StaticStage() = default;
+StaticStage::StaticStage(const StaticStage& other) = default;
+StaticStage::StaticStage(StaticStage&& other) noexcept = default;
+StaticStage& StaticStage::operator=(const StaticStage& other) = default;
+StaticStage& StaticStage::operator=(StaticStage&& other) noexcept = default;
+StaticStage::~StaticStage() = default;
+
 StaticStages::StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
                            StageProgress progress)
     : end_(end), gravity_(gravity), stages_(then.begin(), then.end()), progress_(std::move(progress)) {

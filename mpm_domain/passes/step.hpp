@@ -17,6 +17,7 @@ namespace tremolo::mpm_domain {
 struct Step {
   /// @param at_rest,ledger  outlive this
   Step(Ground& at_rest, EnergyLedger& ledger, double start_time);
+  ~Step();
   Step(const Step&) = delete;
   Step& operator=(const Step&) = delete;
 

@@ -187,7 +187,7 @@ TEST(TwoPhaseColumn, TakesEveryLaw) {
       materials::multi_yield_clay(elastic, 40e3),
       materials::pm4sand({.density = elastic.density, .relative_density = 0.55, .G_o = 677.0, .h_po = 0.4}),
       materials::pdmy03({.relative_density = 0.57, .density = elastic.density})};
-  ASSERT_EQ(laws.size(), std::variant_size_v<materials::Law>);
+  ASSERT_EQ(laws.size(), std::variant_size_v<materials::Laws>);
   for (const materials::Law& law : laws) {
     SCOPED_TRACE(materials::name(law));
     Layer layer = layer_of(10.0, law, 0.005);

@@ -43,7 +43,7 @@ std::vector<Law> all_laws() {
 
 /// What holds for every law, whatever it is.
 TEST(Laws, AgreeWithTheirTraits) {
-  ASSERT_EQ(all_laws().size(), std::variant_size_v<Law>);
+  ASSERT_EQ(all_laws().size(), std::variant_size_v<Laws>);
   for (const Law& law : all_laws()) {
     const Traits like = traits(law);
     SCOPED_TRACE(like.name);
