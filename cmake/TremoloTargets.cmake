@@ -1,12 +1,12 @@
 # One way to declare a library, a program and a test, so that every folder's CMakeLists reads alike.
 
-# tremolo_library(name SOURCES a.cpp ... DEPENDS tremolo::x ... [PRIVATE_DEPENDS ...] [TOGETHER])
+# tremolo_library(name SOURCES a.cpp ... DEPENDS tremolo::x ... [PRIVATE_DEPENDS ...] [PRECOMPILED x.hpp ...] [TOGETHER])
 # Makes target tremolo_<name> with alias tremolo::<name>; headers are included as "<folder>/<file>.hpp".
 # Without SOURCES the library is header-only. TOGETHER compiles the files of a folder as one: for libraries of many
 # small files that compute little, whose headers take longer to compile than they do themselves. The preset "lint"
-# compiles each alone.
+# compiles each alone. PRECOMPILED names headers of its own that most of its files include.
 function(tremolo_library name)
-  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILED" ${ARGN})
   set(target tremolo_${name})
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
@@ -17,7 +17,11 @@ function(tremolo_library name)
       set(headers ${TREMOLO_LIGHT_HEADERS})
     endif()
     target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${options} ${ARG_PRIVATE_DEPENDS})
-    target_precompile_headers(${target} REUSE_FROM ${headers})
+    if(ARG_PRECOMPILED)
+      target_precompile_headers(${target} PRIVATE ${TREMOLO_STD_HEADERS} ${ARG_PRECOMPILED})
+    else()
+      target_precompile_headers(${target} REUSE_FROM ${headers})
+    endif()
     if(ARG_TOGETHER AND TREMOLO_TOGETHER)
       set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
       foreach(file ${ARG_SOURCES})
