@@ -7,7 +7,6 @@
 #include "lining_state.hpp"
 
 #include "mpm_domain/particles/fill.hpp"
-#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
 #include "tests/support/lined_ring.hpp"
 #include "tests/support/saved_state.hpp"
@@ -199,7 +198,6 @@ TEST(LinedTunnel, IsRefusedWhereItIsNotComputed) {
   for (Vector& corner : twins.linings.back().outline)
     corner.x += 8.0; // 1.7 m apart
   EXPECT_THROW(Domain{twins}, std::invalid_argument);
-  EXPECT_THROW(require_shareable(tunnel(0.5)), std::invalid_argument);
 }
 
 } // namespace
