@@ -1,6 +1,7 @@
 #include "mpm_domain/contact/body_surface.hpp"
 
 #include "mesh/polygon.hpp"
+#include "mpm_domain/particles/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ void BodySurface::place(std::vector<Vector> points) {
   points_ = std::move(points);
   normals_.resize(points_.size());
   edges_.resize((points_.size() + 3) / 4);
-  bounds_ = {points_.front().x, points_.front().y, points_.front().x, points_.front().y};
+  bounds_ = around_nothing;
   for (std::size_t n = 0; n < 4 * edges_.size(); ++n) {
     const std::size_t k = std::min(n, points_.size() - 1);
     const Vector& to = points_[k];
@@ -49,8 +50,7 @@ void BodySurface::place(std::vector<Vector> points) {
     four.x[n % 4] = edge.x;
     four.y[n % 4] = edge.y;
     four.per_length2[n % 4] = 1.0 / length2;
-    bounds_ = {std::min(bounds_.x_min, to.x), std::min(bounds_.y_min, to.y), std::max(bounds_.x_max, to.x),
-               std::max(bounds_.y_max, to.y)};
+    reach_around(bounds_, to.x, to.y);
   }
 }
 

@@ -132,8 +132,8 @@ std::optional<std::string> not_for_ranks(const Spec& spec) {
   return std::nullopt;
 }
 
-/// Of each row of tiles those that hold nodes of periodic sides: images, and what they are images of. Sums at
-/// both come together on one rank.
+/// The tiles that hold nodes of periodic sides, images and what they are images of, by row of tiles. A rank
+/// that has one tile of a row has them all, so that sums at both sides come together.
 std::vector<std::vector<std::size_t>> tiles_of_images(const Ground& ground) {
   const Grid& grid = ground.grid;
   if (ground.mesh)

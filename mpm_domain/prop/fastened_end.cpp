@@ -1,6 +1,7 @@
 #include "mpm_domain/prop/fastened_end.hpp"
 
 #include "mpm_domain/ground.hpp"
+#include "mpm_domain/particles/bounds.hpp"
 #include "mpm_domain/prop/particle_nodes.hpp"
 
 #include <Eigen/Dense>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -129,13 +129,11 @@ Vector FastenedEnd::place(const Ground& ground, const Contact& contact) const {
 std::optional<mesh::Rectangle> FastenedEnd::bounds(const Ground& ground) const {
   if (body_)
     return std::nullopt;
-  constexpr double none = std::numeric_limits<double>::infinity();
-  mesh::Rectangle box{none, none, -none, -none};
+  mesh::Rectangle box = around_nothing;
   for (const Held& one : held_) {
     const Particles& set = ground.sets[one.set];
     const std::size_t k = set.index_of[one.id];
-    box = {std::min(box.x_min, set.x[k]), std::min(box.y_min, set.y[k]), std::max(box.x_max, set.x[k]),
-           std::max(box.y_max, set.y[k])};
+    reach_around(box, set.x[k], set.y[k]);
   }
   return box;
 }

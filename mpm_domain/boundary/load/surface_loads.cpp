@@ -1,6 +1,7 @@
 #include "mpm_domain/boundary/load/surface_loads.hpp"
 
 #include "mpm_domain/ground.hpp"
+#include "mpm_domain/particles/bounds.hpp"
 #include "mpm_domain/particles/fill.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -112,14 +112,11 @@ void SurfaceLoads::grow(const Spec& spec, double time) {
 }
 
 std::vector<mesh::Rectangle> SurfaceLoads::bounds(const Ground& ground) const {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  std::vector<mesh::Rectangle> boxes(share_.size(), {none, none, -none, -none});
+  std::vector<mesh::Rectangle> boxes(share_.size(), around_nothing);
   for (const LoadedFace& face : faces_) {
     const Particles& set = ground.sets[face.set];
     const std::size_t k = set.index_of[face.id];
-    mesh::Rectangle& box = boxes[face.load];
-    box = {std::min(box.x_min, set.x[k]), std::min(box.y_min, set.y[k]), std::max(box.x_max, set.x[k]),
-           std::max(box.y_max, set.y[k])};
+    reach_around(boxes[face.load], set.x[k], set.y[k]);
   }
   return boxes;
 }
