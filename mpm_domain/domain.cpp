@@ -26,7 +26,7 @@ std::vector<mesh::Rectangle> boxes_of_structures(const Domain& domain) {
   return boxes;
 }
 
-/// The first rank, which knows where structures are, tells all others.
+/// The first rank broadcasts the positions of structures.
 void follow_structures(Domain& domain) {
   std::vector<mesh::Rectangle>& boxes = domain.share->structures;
   if (domain.has_structures_here())

@@ -30,7 +30,7 @@ Grid make_grid(const Spec& spec) {
   return grid;
 }
 
-/// What structures ask of the rest of the spec.
+/// Conditions that structures impose on the rest of the spec.
 void check_structures(const Spec& spec) {
   if (spec.scheme.transfer != Transfer::apic || spec.scheme.subcycle)
     throw std::invalid_argument("structures need the transfer apic and the same step on all levels");
@@ -91,7 +91,7 @@ void check_room_of(const Lining& lining, const Spec& spec) {
       refuse_near(other.name, other.outline);
 }
 
-/// What linings ask of the rest of the spec.
+/// Conditions that linings impose on the rest of the spec.
 void check_linings(const Spec& spec) {
   if (spec.scheme.transfer != Transfer::apic || spec.scheme.subcycle ||
       spec.scheme.dispersion == Dispersion::reduced)
@@ -118,8 +118,8 @@ void check_holes(const Spec& spec, const std::optional<Head>& head) {
                       structure.name));
 }
 
-/// What reduced dispersion asks of the rest of the spec. That soil which yields should do without is a rule
-/// of scenes alone, since it runs.
+/// Conditions that reduced dispersion imposes on the rest of the spec. Soil that yields is refused by a rule
+/// of scenes only, because it does run.
 void check_dispersion(const Spec& spec) {
   if (spec.scheme.transfer != Transfer::apic || spec.scheme.order != StepOrder::musl ||
       spec.particles_per_cell < 2 || spec.boxes != ParticleBoxes::fixed || !spec.refine.empty() ||
@@ -131,7 +131,7 @@ void check_dispersion(const Spec& spec) {
         "water and structures");
 }
 
-/// What a rigid base asks of the rest of the spec.
+/// Conditions that a rigid base imposes on the rest of the spec.
 void check_rigid_base(const Spec& spec) {
   if (spec.sides != Sides::container && spec.sides != Sides::periodic)
     throw std::invalid_argument("a rigid base goes with the walls of a container or with periodic sides");
@@ -141,8 +141,8 @@ void check_rigid_base(const Spec& spec) {
                                 "dispersion");
 }
 
-/// Loads lie in the model, on soil that no structure covers, and go neither with several clocks nor with
-/// sides that move apart.
+/// Loads lie inside the model, on soil that no structure covers; they exclude sub-cycling and sides that move
+/// apart.
 template <typename RefuseUnless>
 void check_loads(const Spec& spec, const RefuseUnless& refuse_unless) {
   for (const SurfaceLoad& load : spec.loads) {

@@ -109,7 +109,7 @@ struct Ground {
   bool has_seepage() const { return grid.traits.seeping; } ///< whether the head varies
   bool has_pore_pressure() const;
   bool is_sharp() const { return grid.traits.sharp; } ///< whether dispersion is reduced
-  /// Whether a velocity that comes back from the particles strains the soil.
+  /// Whether strains use the velocity remapped from the particles.
   bool is_remapped() const { return spec.scheme.order == StepOrder::musl; }
   std::span<Particles> sets_of_soil() { return std::span(sets).first(soil_sets); }
   std::span<const Particles> sets_of_soil() const { return std::span(sets).first(soil_sets); }
@@ -151,8 +151,7 @@ struct Ground {
   NodeRange row(std::size_t row) const;
   /// Nodes whose motion is that of others: images of a period, and the tied nodes of a graded mesh.
   const Prolongation& ties() const { return mesh ? mesh->prolongation() : images; }
-  /// Whether structures, linings, props and surface loads are worked out here, not on another rank: on the
-  /// first.
+  /// Whether this rank computes structures, linings, props and surface loads: the first rank does.
   bool has_structures_here() const;
   /// Where a node stands.
   NodePlace place_of(std::size_t node) const;

@@ -14,15 +14,15 @@ namespace {
 
 using coupler::Direction;
 
-/// Soil and rock, kg/m3, where the user names no density.
+/// Range for soil and rock if the user gives no density, kg/m3.
 constexpr double least_density = 1000.0;
 constexpr double largest_density = 3000.0;
-/// Of a density that the user names: differences over some metres of depth are not exact.
+/// Tolerance relative to a density that the user gives: finite differences over metres of depth are inexact.
 constexpr double density_tolerance = 0.2;
-/// Of the divergence of the stress that no density explains.
+/// Limits on the fraction of the stress divergence that no density explains.
 constexpr double misfit_warning = 0.1;
 constexpr double misfit_failure = 0.5;
-/// Of the peak, at the first time.
+/// Limit on the value at the first time, relative to the peak.
 constexpr double start_failure = 1e-2;
 
 struct Range {

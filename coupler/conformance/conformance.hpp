@@ -14,7 +14,7 @@
 
 namespace tremolo::coupler {
 
-/// What a domain would ask of the source.
+/// Requests that a domain would make of the source.
 struct Demand {
   std::vector<ExchangedFace> faces; ///< where it reads the fields; face.source is the name of the source
   double start_time = 0.0;          ///< s

@@ -1,7 +1,6 @@
 #pragma once
 
-// Somebody who looks on while a run exchanges its frames: what the hub passes to it is all that a recording
-// needs.
+// Observer of a run's frames: the hub passes it exactly what a recording needs.
 
 #include "coupler/wire/field.hpp"
 #include "coupler/wire/mode.hpp"

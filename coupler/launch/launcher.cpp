@@ -21,9 +21,9 @@ namespace tremolo::coupler {
 namespace {
 
 constexpr std::chrono::milliseconds tick{50};
-/// What survivors of a failure have to close their files before they are killed.
+/// Time for the surviving processes to close their files after a failure before they are killed, s.
 constexpr double abort_grace_s = 1.0;
-/// The same when the user interrupts: there is no hurry then, and a second Ctrl-C ends it at once.
+/// Longer time after an interrupt by the user, which is not urgent; a second Ctrl-C ends the run at once, s.
 constexpr double interrupt_grace_s = 10.0;
 constexpr double last_words_s = 0.1;
 /// A rank of the domain that fails writes its reason before the eight lines that MPI_Abort has.

@@ -39,12 +39,12 @@ public:
   /// stress, and puts what the spec wants behind them.
   /// @throws std::invalid_argument where that cannot stand there
   void match(Ground& ground);
-  /// What a gravity stage leaves of the faces: impedances and static tractions.
+  /// Result of a gravity stage at the faces: impedances and static tractions.
   template <class Writer>
   void save_rest(Writer& to) {
     rest_state().save("boundary.rest", to);
   }
-  /// Takes the place of a gravity stage.
+  /// Restores that result instead of running a gravity stage.
   /// @throws std::runtime_error for the faces of another boundary
   template <class Reader>
   void restore_rest(const Ground& ground, const Reader& from) {

@@ -23,7 +23,7 @@ struct Ground;
 /// "left side", "right side", "base"
 std::string text_of(Side side);
 
-/// What supports (support.hpp) have made of a face.
+/// Changes that supports (support.hpp) have made to a face.
 struct Behind {
   bool has_dashpots = true;   ///< of Eq. (6); elsewhere a support stands in their place
   bool is_tied = false;       ///< to the opposite side: no free field drives it

@@ -27,7 +27,7 @@ void SharedNodes::require_fit() const {
                                              field->size(), ground_.grid.size()));
 }
 
-/// All that lasts for a step alone.
+/// Clears all state that lasts for one step only.
 void SharedNodes::clear_step() {
   for (Kept& k : kept_)
     for (NodeField* field : {&k.mass, &k.momentum_x, &k.momentum_y, &k.change_x, &k.change_y, &k.vx_strain,
@@ -59,8 +59,8 @@ void SharedNodes::take_momenta(int first_ending) {
     });
 }
 
-/// What forces are more than steady counts in steps of the faster clock from here on: dt_q f_q = dt_(q+1) (2
-/// f_q).
+/// From here on the unsteady part of the forces is applied in steps of the faster clock: dt_q f_q = dt_(q+1)
+/// (2 f_q).
 void SharedNodes::keep(int clock) {
   if (!shares(clock))
     return;

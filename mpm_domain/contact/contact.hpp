@@ -176,7 +176,7 @@ private:
   std::vector<RigidMotion> trial_motions(double keep, double dt) const;
   /// Finds impulses and changes of motion at all nodes, and the bodies' motions, from their trial motions.
   void solve(std::span<const RigidMotion> trial, double dt, bool bonded);
-  /// What other contacts change at shared nodes, from one of them on: that of `next`, which is moved on.
+  /// Velocity changes due to other contacts at shared nodes, starting at `next`, which advances.
   ChangeByOthers by_others(std::span<const SharedNode>& next) const;
   double solve_rigid(std::size_t body, const RigidMotion& trial, bool bonded);
   double solve_elastic(std::size_t body, bool bonded);
@@ -190,7 +190,7 @@ private:
   ContactWork book_body(const Grid& grid, std::size_t body, const RigidMotion& middle, double dt) const;
   /// A body's own part of relax().
   double relax_rigid(std::size_t body, double keep, double gain);
-  /// Likewise of the nodes at which contacts act.
+  /// The part of relax() from the nodes at which contacts act.
   double relax_nodes(const Grid& grid, double gain, std::span<const unsigned char> left_out) const;
   std::vector<double> node_state(std::size_t body) const;
   void set_node_state(std::size_t body, const std::vector<double>& state);

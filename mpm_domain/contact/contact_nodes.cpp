@@ -45,7 +45,7 @@ std::vector<NearParticle> particles_near(const Ground& ground, const mesh::Recta
 
 } // namespace
 
-/// What a body meets: where it lies, and what it is.
+/// The counterpart that a body meets: its position and its kind.
 struct ContactNodes::Meeting {
   const BodySurface& surface;
   const Structure& structure;

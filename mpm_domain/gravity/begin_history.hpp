@@ -12,7 +12,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Particles of a soil whose stress was more than their law can hold, and has been cut.
+/// Particles of a soil whose stress exceeded the strength and was returned to it.
 struct CutStress {
   std::string soil;
   std::size_t particles = 0;

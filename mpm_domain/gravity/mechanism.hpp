@@ -19,7 +19,7 @@ struct MovingPoint {
   double plastic_strain = 0.0; ///< equivalent plastic deviatoric strain, 1; 0 for laws without
 };
 
-/// All soil of a domain whose gravity stage has found no rest.
+/// All soil of a domain that did not come to rest under gravity.
 std::vector<MovingPoint> mechanism_of(Domain& domain);
 
 /// Where the soil lies that moves at least a tenth as fast as the fastest.

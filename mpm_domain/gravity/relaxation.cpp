@@ -30,11 +30,11 @@ constexpr long report_every = 100;
 constexpr std::array given_fields{&ParticleFields::volume, &ParticleFields::box_xx, &ParticleFields::box_xy,
                                   &ParticleFields::box_yy};
 
-/// The longest time over the given one.
+/// The longest time allowed, relative to the given one.
 constexpr double most_patience = 8.0;
 
-/// When time is over. The longer a body and the nearer to its limit, the slower it comes to rest: its
-/// residual falls to nothing, that of a body which fails to what drives it.
+/// Time limit of a relaxation. A long body, or one close to its limit load, comes to rest slowly: the
+/// residual of a stable body vanishes, that of a failing one tends to the driving force.
 class Patience {
 public:
   explicit Patience(const Course& course)

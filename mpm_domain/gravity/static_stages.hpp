@@ -130,7 +130,8 @@ private:
   Domain* model_ = nullptr;
   bool disturbed_ = false;     ///< the last stage has left an excess pressure
   std::vector<Vector> forces_; ///< f0, N/m
-  /// What structures that go do to the rigid ones of the present model, at the end of the last stage.
+  /// Forces that removed structures exerted on the rigid ones of the present model at the end of the last
+  /// stage.
   std::vector<RigidLoad> of_going_;
   std::vector<StructureWay> ways_; ///< of the rigid structures of the present model; none after gravity alone
   Reactions reactions_;            ///< of the last stage

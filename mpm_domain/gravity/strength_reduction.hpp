@@ -61,7 +61,7 @@ using TrialProgress = std::function<void(const StrengthTrial&)>;
 /// @throws std::invalid_argument without gravity, or without a soil whose strength can be reduced
 FactorOfSafety factor_of_safety(const Spec& spec, double tolerance, const TrialProgress& progress);
 
-/// What a single trial says of the factor: that it is at least this, or below it.
+/// Result of one trial: a lower or an upper bound on the factor.
 /// @throws std::invalid_argument as factor_of_safety() does
 FactorOfSafety try_factor(const Spec& spec, double factor, const TrialProgress& progress);
 

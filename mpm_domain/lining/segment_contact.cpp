@@ -54,7 +54,7 @@ public:
 
   /// The impulses for the present sets.
   Eigen::VectorXd solve() const {
-    // Water tells only what rubs.
+    // Pore water matters only where a segment slides with friction.
     const bool slips = std::ranges::any_of(segments_, [](const SegmentContact& s) { return s.slip != 0; });
     return water_.any() && slips ? solve_wet() : solve_dry();
   }

@@ -9,11 +9,11 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// A point counts while the nodes with soil have this part of its hats.
+/// A point counts while the nodes with soil hold at least this fraction of its hat functions.
 constexpr double least_soil = 0.05;
-/// Part of a full node's mass from which a node counts as one of soil.
+/// A node counts as soil from this fraction of a full node's mass.
 constexpr double counted_mass = 0.01;
-/// What a segment seldom has more of.
+/// Numbers that a segment seldom exceeds, to reserve memory.
 constexpr std::size_t usual_nodes = 12, usual_freedoms = 30;
 
 struct PointShares {

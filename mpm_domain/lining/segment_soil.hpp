@@ -27,9 +27,10 @@ public:
   SegmentSoil() = default;
   SegmentSoil(std::span<const SegmentRows> rows, const SoilMotion& soil);
 
-  /// Adds B m^-1 B^T to a matrix that stands row after row, in the order N, T of each segment.
+  /// Adds B m^-1 B^T to a matrix stored by rows, in the order N, T of each segment.
   void add_answer(std::span<double> to) const;
-  /// What impulses on the lining, one a segment (kg/s), change of the soil's nodes, in the order of these.
+  /// Velocity changes of the soil's nodes, in their order, due to impulses on the lining, one per segment
+  /// (kg/s).
   std::vector<NodeChange> changes(std::span<const Vector> impulses, const SoilMotion& soil) const;
   /// The impulses that end the closing speeds of some rows, none at the others, where the lining does not
   /// answer: by row, kg/s.

@@ -52,10 +52,10 @@ struct Particles : ParticleFields {
   std::vector<double> state;     ///< [particle][state_size]
 
   std::vector<std::size_t> block_start; ///< first particle of each of the domain's blocks, and the end
-  std::vector<std::uint32_t> index_of;  ///< place of each id in the arrays, or nowhere
-  std::vector<std::uint32_t> whole;     ///< ids, rising, of particles that are never cut (splitting.hpp)
+  std::vector<std::uint32_t> index_of;  ///< index of each id in the arrays, or nowhere
+  std::vector<std::uint32_t> whole;     ///< ids, ascending, of particles that are never split (splitting.hpp)
 
-  /// The place of an id whose particle has been cut.
+  /// Index of an id whose particle has been split.
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
   std::size_t size() const { return x.size(); }

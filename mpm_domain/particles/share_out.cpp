@@ -119,7 +119,7 @@ void unpack(std::vector<Particles>& sets, std::size_t blocks, const std::vector<
     unpack(set, blocks, parcels, 0, next);
 }
 
-/// What of a domain ranks cannot share yet.
+/// The first feature of a domain that cannot yet be distributed over ranks, if it has one.
 std::optional<std::string> not_for_ranks(const Spec& spec) {
   if (spec.scheme.subcycle)
     return "a mesh whose levels take steps of their own";
@@ -185,8 +185,8 @@ std::vector<mesh::Rectangle> boxes_of_ties(const Ground& ground) {
   return boxes;
 }
 
-/// What structures, in these boxes, may touch, what joins lattices, and all of elastic bodies is the first
-/// rank's.
+/// Groups of tiles that must share a rank. The first rank owns those near structures (in these boxes), those
+/// at the joints of levels, and those of elastic bodies.
 Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> structures,
                         const Census& census) {
   const TileMap& tiles = ground.tiles;

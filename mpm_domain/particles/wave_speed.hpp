@@ -19,7 +19,7 @@ struct FastestWaves {
 };
 FastestWaves fastest_waves(Particles& particles, const ParticleRange& range);
 
-/// What the ground at a particle opposes to slow waves, which water follows.
+/// Impedances of the ground at a particle to waves so slow that pore water follows them.
 struct Impedances {
   double p = 0.0;       ///< rho c_p, Pa s/m
   double s = 0.0;       ///< rho c_s, Pa s/m

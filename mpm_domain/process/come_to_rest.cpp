@@ -20,7 +20,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// What a user should know of bodies that do not rest on their friction.
+/// Warning about bodies that friction alone does not hold at rest.
 std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t>& bodies) {
   std::string names;
   for (const std::size_t b : bodies)

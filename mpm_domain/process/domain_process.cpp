@@ -81,7 +81,7 @@ StageEnd end_of(const scene::Case& scene, const std::string& stage) {
   return {stage, stage.empty() ? scene.end() : 0.0};
 }
 
-/// What rank 0 does beside its share of the domain: it talks with the coupler and writes the results.
+/// Additional duties of rank 0: it talks to the coupler and writes the results.
 class RankZeroDriver {
 public:
   RankZeroDriver(coupler::DomainClient& client, const scene::Case& scene, const scene::Plan& plan,
@@ -92,7 +92,7 @@ public:
         checkpoints_(scene) {}
 
   RunOutput& output() { return output_; }
-  /// What of the snapshot it needs after a step.
+  /// Which fields of the snapshot it needs after a step.
   Snapshot::Extent needs(const Stepper& stepper) {
     saves_ = stepper.time() < end_ && (checkpoints_.due(stepper.steps()) || stepper.time() >= stop_.time);
     return saves_ ? Snapshot::Extent::all : output_.needs(stepper);

@@ -7,7 +7,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What a rough base and smooth side walls leave of the motion of a node.
+/// Degrees of freedom of a node that a rough base and smooth side walls fix.
 enum class Hold {
   none,
   across, ///< u_x = 0: the node may slide along a side

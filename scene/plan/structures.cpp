@@ -19,8 +19,8 @@ namespace tremolo::scene {
 
 namespace {
 
-// What the domain keeps: of a contact node its state, a copy and the sums over particles; of every node in a
-// window two cells wider than the body the sums and what there is of the body's surface.
+// Memory per contact node (its state, a copy, sums over particles) and per node of a window two cells wider
+// than the body (sums, the body's surface).
 constexpr double bytes_of_contact_node = 850.0;
 constexpr double bytes_of_window_node = 112.0;
 constexpr double window_margin = 5.0; // nodes of the window beyond the body's own cells
@@ -32,7 +32,7 @@ bool in_soil_outside(const Case& scene, const std::vector<Polygon>& structures, 
 }
 
 /// Calls act(middle, length) for pieces of a structure's outline, a quarter of a cell long at most, that have
-/// soil next to them. What is as near as the gap at which the domain's contact opens touches at the start.
+/// soil next to them. Soil closer than the contact's opening gap counts as touching at the start.
 template <class Act>
 void for_pieces_on_soil(const Case& scene, std::size_t structure, const Act& act) {
   const double h = contact_cell_size(scene);
@@ -167,8 +167,9 @@ std::string contact_text(std::span<const PlannedStructure> structures) {
 
 namespace {
 
-/// What a lining in the place of an elastic ring would save; nothing where the walls are no beams.
-/// @param thin  thickness of the thinnest place, m
+/// What replacing an elastic ring by a lining would save; empty if the ring's walls are too thick to be
+/// beams.
+/// @param thin  the smallest wall thickness, m
 std::string lining_text(const Case& scene, std::size_t structure, double thin) {
   const Structure& ring = scene.structures[structure];
   const Box around = box_of(ring.outline.corners);

@@ -22,7 +22,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Whether what has a name stands, and where that was last changed.
+/// Whether a named item is present, and which stage last changed that.
 struct State {
   bool stands = true;
   std::string changed = {}; ///< in the stage of this name; empty: never
@@ -30,7 +30,7 @@ struct State {
 
 using States = std::map<std::string, State, std::less<>>;
 
-/// All names, as they are at the start.
+/// All named items, as they are at the start.
 States states_at_start(const Case& scene) {
   States states;
   for (const Region& region : scene.regions)
@@ -124,8 +124,8 @@ std::vector<Region> regions_of(const Case& scene, const std::vector<std::string>
   return regions;
 }
 
-/// What goes with a structure has its number among those that stand at last.
-/// @param why  it needs one
+/// Items attached to a structure get its index among the structures present at the end.
+/// @param why  the reason, for the message, that the item needs a structure
 void renumber(std::optional<std::size_t>& structure, const std::string& path, std::string_view why,
               const Case& scene, const Standing& end, Findings& findings) {
   if (!structure)

@@ -14,7 +14,7 @@ void read_free_field(Document& document, Findings& findings, Case& scene);
 void read_boundary(Document& document, Findings& findings, Case& scene);
 /// Numerics of the free-field models; after read_mesh, half of whose size is the default of element sizes.
 void read_numerics(Document& document, Case& scene);
-/// Soils; their softening holds for cells of [mesh] size where the mesh has been read.
+/// Soils; softening is scaled to [mesh] size if the mesh has been read.
 void read_soils(Document& document, Findings& findings, Case& scene);
 /// Layers of an array of tables, "profile" or that of a side; after read_soils.
 std::vector<Layer> read_layers(Document& document, const char* name, Findings& findings, const Case& scene);

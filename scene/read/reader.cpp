@@ -190,7 +190,7 @@ std::string TableReader::origin(std::string_view key, const toml::node& node) co
                      node.source().begin.column);
 }
 
-/// Of a soil whose library is not known nothing is missing: the library may have it.
+/// With an unknown library no key is reported missing, since the library may define it.
 void TableReader::report_missing(const Key& key) {
   if (spec_.find(library_key) != nullptr && !reading_.findings.sound(path(library_key)))
     return;

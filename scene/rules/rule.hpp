@@ -15,7 +15,7 @@
 
 namespace tremolo::scene {
 
-/// What must be known for a rule to look.
+/// What must have been read before the rule runs.
 enum class Needs {
   model,            ///< all of the case
   ground,           ///< the ground of a free field alone
@@ -28,7 +28,7 @@ struct Rule {
   Needs needs;
   void (*look)(const Case& scene, Findings& findings);
   std::string_view name;
-  std::string_view asks; ///< what holds where it finds nothing; of notes what it says
+  std::string_view asks; ///< what holds if the rule finds nothing; for a note, its content
 };
 
 /// Errors, then warnings, then notes.

@@ -23,8 +23,7 @@ double mass_damping(const Case& scene, double ratio);
 /// @param ratio of critical
 materials::Relaxation relaxation(const Damping& damping, double ratio);
 
-/// How much of a layer's P-wave modulus relaxes: all of it, but where there is pore pressure the shear
-/// stiffness alone, G/M.
+/// Fraction of a layer's P-wave modulus that relaxes: 1, or G/M (shear alone) where there is pore pressure.
 double relaxing_share_p(const Case& scene, const Layer& layer);
 
 /// Whether damping acts in time: as viscous stress or by mechanisms.

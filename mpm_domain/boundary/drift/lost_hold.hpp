@@ -60,7 +60,7 @@ private:
   double pull(std::size_t face) const;
   /// The pull over the strength at rest.
   double strength_share(std::size_t face) const;
-  /// What the pull has beyond the strength at rest, Pa.
+  /// The excess of the pull over the strength at rest, Pa.
   double excess_pull(std::size_t face) const;
   /// The force beyond the strength over the strength, both summed over the side's soils that yield.
   double excess_share(Side side) const;

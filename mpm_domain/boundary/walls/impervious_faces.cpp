@@ -10,7 +10,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Of the walls on the water at a node.
+/// Reaction of the walls on the pore water at a node.
 struct Reaction {
   std::size_t node;
   Vector force; ///< N/m

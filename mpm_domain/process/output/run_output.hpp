@@ -50,12 +50,12 @@ public:
   }
 
   /// Writes the last state and the timings, and closes the file as complete.
-  /// @return what is lacking all the same, in a sentence
+  /// @return what is still missing from the file, as a sentence
   std::optional<std::string> finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);
 
-  /// What a user should know of the run that has ended, a sentence.
+  /// A sentence with what the user should be warned of after the run, if anything.
   std::optional<std::string> warning() const;
-  /// How far sides and base have moved, a sentence that is no warning.
+  /// A sentence on how far sides and base have moved, for information only.
   std::optional<std::string> note() const;
 
   /// Writes what an output that goes on from here needs, besides the file as it is now.

@@ -7,18 +7,18 @@
 
 namespace tremolo::scene {
 
-/// What a rest with a time factor F asks of the wet soils in which water flows.
+/// Limits that the wet soils which drain set to the time factor F of a rest.
 struct FastRest {
   /// Pi = F k sqrt(M rho)/(gamma_w H), 1: the way of the slow wave against that of diffusion, with the
   /// largest k and the largest sqrt(M rho), M the modulus of the skeleton, rho the saturated density, and the
-  /// height H from the lowest to the highest of these soils. Settlement errs by about 0.8 Pi^1.5 of what the
-  /// rest adds.
+  /// height H from the lowest to the highest of these soils. The error of the settlement is about 0.8 Pi^1.5
+  /// of what the rest adds.
   double slow_wave = 0.0;
   double permeability = 0.0;  ///< the largest F k, m/s
   std::string most_permeable; ///< name of the soil that it belongs to
   double ringing = 0.0;       ///< T_u = 4 H_w/c_u, s: the period in which pressure rings in all wet ground
 
-  /// Of the settlement that the rest adds, 1.
+  /// Error of the settlement, relative to what the rest adds, 1.
   double settlement_error() const;
 };
 

@@ -72,7 +72,7 @@ std::vector<std::string> differences(const Case& scene, const LateralBoundary& s
   for (const GroundColumn* ground : {&domain, &field})
     for (const GroundPiece& piece : *ground)
       levels.insert({piece.top, piece.bottom});
-  // What is thinner than a particle no particle sees.
+  // Layers thinner than a particle are not resolved.
   const double thin = 0.5 * scene.mesh.particle_size();
   std::vector<std::string> found;
   double begin = 0.0;

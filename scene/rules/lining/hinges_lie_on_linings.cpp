@@ -10,7 +10,7 @@
 namespace tremolo::scene {
 
 void hinges_lie_on_linings(const Case& scene, Findings& findings) {
-  constexpr double rounding = 1.1; // the polygon of a circle lies a little beside it
+  constexpr double rounding = 1.1; // a circle's polygon lies slightly off the circle
   for (const Lining& lining : scene.linings) {
     const std::string path = lining.path + ".hinges";
     if (!outline_is_sound(lining, findings) || !findings.sound(path) ||

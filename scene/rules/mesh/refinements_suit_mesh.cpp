@@ -8,7 +8,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// That the whole model would have with cells of the finest size: what is kept for the tree grows with them.
+/// Limit on the cells if the whole model had the finest size; the tree's memory grows with their number.
 constexpr double most_cells = 1e9;
 
 bool overlap(const Box& a, const Box& b) {

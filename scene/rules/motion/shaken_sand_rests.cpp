@@ -16,9 +16,9 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Below this share of the Arias intensity strong motion goes on.
+/// Strong motion lasts until this fraction of the Arias intensity has arrived.
 constexpr double goes_on = 0.95;
-/// Time that costs no more than some per cent of the settlement, s.
+/// A delay that changes the settlement by a few per cent at most, s.
 constexpr double delay_allowed = 1.0;
 
 std::string reconsolidating_soils(const Case& scene) {

@@ -10,7 +10,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// A soil of the domain whose bands or pressures nobody has looked at with the smoother strains.
+/// A soil of the domain for which reduced dispersion has not been validated; null if there is none.
 const Soil* unsuited_soil(const Case& scene) {
   for (const Soil& soil : domain_soils(scene)) {
     const materials::Response response = materials::traits(soil.law).response;

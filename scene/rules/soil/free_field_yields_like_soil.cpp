@@ -17,8 +17,8 @@ bool is_linear(const materials::Law& law) {
   return materials::traits(law).response == materials::Response::elastic;
 }
 
-/// Whether the side's field is that of linear soil. What a recording or a program of the user holds is not
-/// known.
+/// Whether the side's field is that of linear soil. The ground behind a recording or a user's program is
+/// unknown.
 bool is_linear(const Case& scene, const LateralBoundary& side) {
   using enum SourceModel;
   if (side.field.model == recording || side.field.model == external)

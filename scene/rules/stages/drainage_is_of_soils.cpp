@@ -1,5 +1,5 @@
-// A stage may say soil by soil what pore water does. Of soil that has no pore water, or whose pressure stays
-// what it is by the soil's own drainage, it says nothing.
+// A stage may set the drainage of each soil separately. It must not name soil that has no pore water, or soil
+// whose own drainage fixes its pressure.
 
 #include "scene/plan/stages/stages.hpp"
 #include "scene/plan/wet_soils.hpp"

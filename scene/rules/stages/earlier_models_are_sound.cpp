@@ -1,5 +1,5 @@
-// What stands before a construction must be as sound as what stands at last: regions and structures that can
-// be, do not overlap what is there at the same time, and carry the loads of that time.
+// Each construction stage must satisfy the same checks as the final model: its regions and structures are
+// valid, do not overlap any others present in that stage, and carry the loads of that stage.
 
 #include "scene/plan/stages/stages.hpp"
 #include "scene/rules/rules.hpp"
