@@ -35,9 +35,9 @@ struct ColumnSample {
   double pore_pressure = 0.0;                            ///< excess over the hydrostatic one, Pa
 };
 
-/// Of the levels y of a request to sample, whether entry i asks for the limit from below. sxx and the strains
-/// jump at a layer interface: a level that stands twice in a row is asked for from below and then from above,
-/// a level that stands once from above.
+/// Whether entry i of the requested levels y means the limit from below. sxx and the strains jump at a layer
+/// interface: a level listed twice in a row means the limit from below and then from above, a level listed
+/// once means that from above.
 inline bool from_below(std::span<const double> y, std::size_t i) {
   return i + 1 < y.size() && y[i] == y[i + 1];
 }

@@ -22,7 +22,7 @@ struct Measures {
   double residual_displacement = 0.0; ///< m
 };
 
-/// Of a record of any quantity; the others follow by integration or slope (with_unit).
+/// Measures of a record of any quantity; the others follow by integration or differentiation (with_unit).
 Measures measures(const Record& record);
 
 /// Velocity and displacement are the trapezoidal integrals from rest.

@@ -65,7 +65,7 @@ std::optional<MotionKind> kind_named(std::string_view text);
 
 Quantity quantity_of(Unit unit);
 
-/// What one of the unit is in m/s2, m/s or m.
+/// The unit's value in m/s2, m/s or m.
 double in_si(Unit unit);
 
 /// A unit as a file may have it: `factor` times one of ours, "milli-g" is 1e-3 g and "mm/s2" 1e-3 m/s2.
@@ -84,7 +84,7 @@ double in_si(const ScaledUnit& unit);
 /// m/s2, m/s or m.
 Unit si_unit(Quantity quantity);
 
-/// What a file said of the record that was read from it; all empty where no file was read.
+/// Statements of the file about the record; all empty if the record was not read from a file.
 struct Origin {
   std::string format;              ///< "PEER", "K-NET, KiK-net"
   std::string component;           ///< as the file calls it; empty where it names none
@@ -100,14 +100,14 @@ struct Record {
   std::optional<MotionKind> kind = std::nullopt; ///< nothing where nobody has said
   double dt = 0.0;                               ///< s
   std::vector<double> samples = {};              ///< in `unit`
-  /// What the file calls the unit, where its reader was given another one.
+  /// The unit stated by the file, if the caller of the reader overrode it.
   std::optional<ScaledUnit> overruled_unit = std::nullopt;
   Origin origin = {};
 
   Quantity quantity() const { return quantity_of(unit); }
 };
 
-/// What is wrong with a file, as "file:line: text" ("file: text" where a file has no lines).
+/// An error in a file, as "file:line: text" ("file: text" if the file has no lines).
 class RecordError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
@@ -116,7 +116,7 @@ public:
 /// @throws std::invalid_argument for fewer than two samples, dt <= 0, or values that are not finite
 void require_sound(const Record& record);
 
-/// The same quantity in another unit.
+/// The record's quantity in another unit.
 /// @throws std::invalid_argument for the unit of another quantity
 Record converted(Record record, Unit unit);
 

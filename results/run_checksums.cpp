@@ -39,7 +39,7 @@ std::size_t number_in(std::string_view digits) {
   return value;
 }
 
-/// Takes the checksums of a file as it is.
+/// Computes the checksums of a file in its present state.
 class Taken {
 public:
   explicit Taken(const std::filesystem::path& file) : run_(file) {}
@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  /// Of the first numbers, or of all where there are fewer.
+  /// Adds the first `numbers` values, or all if there are fewer.
   static Checksum beginning(Checksum checksum, const std::vector<double>& values, std::size_t numbers) {
     checksum.add(std::span(values).first(std::min(numbers, values.size())));
     return checksum;

@@ -31,11 +31,12 @@ struct Checksum {
   friend bool operator==(const Checksum&, const Checksum&) = default;
 };
 
-/// Of a series without rows: names and units of its columns count.
+/// Checksum of a series before its first row, over the names and units of its columns.
 Checksum checksum_of_series(std::string_view path, std::span<const std::string> columns,
                             std::span<const std::string> units);
 
-/// Of fields at a time: it, and names, units, components, types and values in the order of names.
+/// Checksum of the fields at one time, over the time and the names, units, components, types and values, in
+/// the order of names.
 Checksum checksum_of_fields(std::string_view path, double time, std::span<const Field> fields);
 
 /// A line each: CRC-32, count of numbers, path.

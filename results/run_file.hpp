@@ -31,7 +31,7 @@ namespace tremolo::results {
 /// Version of the layout of `run.h5`: "major.minor"; a reader refuses another major.
 inline constexpr std::string_view schema_version = "1.10";
 
-/// What is known of a run before its first step.
+/// Facts about a run that are known before its first step.
 struct RunDescription {
   std::string title;
   std::string case_text;     ///< the case file as read, /case
@@ -39,8 +39,8 @@ struct RunDescription {
   std::string build_version; ///< of tremolo
   std::string compiler;
   std::string build_flags;
-  /// What the file is where it holds no particles, e.g. "column": an attribute of the root. Such a file takes
-  /// no frame and has no XDMF beside it.
+  /// The kind of a file without particles, e.g. "column", stored as an attribute of the root. Such a file
+  /// holds no frames and has no XDMF file.
   std::string content = {};
 };
 
@@ -97,11 +97,11 @@ public:
   /// Makes everything written so far durable against the end of this process.
   void flush();
 
-  /// The same where the rows that wait for it hold more than a mebibyte: to be called after the rows of a
-  /// time, so that memory does not grow with the time between two frames.
+  /// Flushes if the buffered rows hold more than a mebibyte. It is called after the rows of each time, so
+  /// that memory does not grow with the time between two frames.
   void flush_if_large();
 
-  /// The same against the end of the machine: waits for the disk.
+  /// Flushes and waits for the disk, so that a crash of the machine loses nothing.
   void sync();
 
   /// Writes a table of named columns, e.g. /timings.
@@ -109,7 +109,7 @@ public:
 
   /// Status "complete", flushed and closed; then ParaView's view of the frames is added
   /// (results/paraview/vtkhdf.hpp).
-  /// @return why that view could not be added, in a sentence; nothing where it was
+  /// @return why that view could not be added, in a sentence; nothing if it was
   std::optional<std::string> finish();
 
   /// Status "aborted: reason", flushed and closed.
@@ -117,7 +117,7 @@ public:
 
   std::size_t frame_count() const;
 
-  /// Of all rows and frames so far, those that wait for a flush too.
+  /// Checksums of all rows and frames so far, including buffered ones.
   std::vector<Checksum> checksums() const;
 
 private:

@@ -108,7 +108,7 @@ struct Region {
   std::size_t soil_at(double y) const { return mpm_domain::soil_at(soil, cuts, y); }
 };
 
-/// What stands during some of the stages.
+/// The model during some of the stages.
 struct Standing {
   std::vector<Region> regions;
   std::vector<Structure> structures;
@@ -241,7 +241,7 @@ struct GravityStage {
   double max_time = 0.0;      ///< simulated time within which it must be reached, s
 };
 
-/// What static stages after gravity have in common.
+/// Settings common to all static stages after gravity.
 struct StaticStage {
   std::string name;
   std::optional<double> ramp; ///< time in which the change grows, s; none: as slow as the ground asks for
@@ -295,7 +295,7 @@ struct Earthwork {
   std::string path;                ///< of its table in messages, "stage[1]"
 };
 
-/// What a rest has besides its time: sand reconsolidates as sand that has been shaken
+/// Settings of a rest besides its duration: sand reconsolidates with post-shaking properties
 /// (materials::after_shaking).
 struct Rest {
   double time_factor = 1.0;          ///< F of the soil's clock (materials/water/soil_clock.hpp)
@@ -474,7 +474,7 @@ struct Case {
 /// @throws CaseErrors (scene/text/errors.hpp) with every error of the file
 Case load(const std::filesystem::path& file);
 
-/// The same from text. `file` names it in messages, `directory` is where relative file names start.
+/// Reads a case from text. `file` names it in messages; relative file names start from `directory`.
 Case parse(std::string_view text, const std::filesystem::path& file, const std::filesystem::path& directory);
 
 /// The free field alone, by a model: a case of which only motion, surface level, half-space, water, soils,

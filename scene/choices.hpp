@@ -1,6 +1,6 @@
 #pragma once
 
-// What a case chooses by a word. Each enumeration has its words beside it; the key tables, the readers,
+// Choices that a case makes by a word. Each enumeration is followed by its words; the key tables, readers,
 // messages and reports take them from there.
 
 #include "base/words.hpp"
@@ -81,7 +81,7 @@ constexpr auto words(BaseForm) {
       {{BaseForm::total, "total"}, {BaseForm::incident, "incident"}, {BaseForm::blended, "blended"}});
 }
 
-/// What takes up waves that leave the model.
+/// What absorbs waves that leave the model.
 enum class Absorber {
   dashpots,     ///< of Eq. (6)
   matched_layer ///< a perfectly matched layer behind the faces
@@ -90,7 +90,7 @@ constexpr auto words(Absorber) {
   return word_table<Absorber>({{Absorber::dashpots, "dashpots"}, {Absorber::matched_layer, "matched_layer"}});
 }
 
-/// What pore water does in a static stage.
+/// Behaviour of the pore water in a static stage.
 enum class StageDrainage {
   drained,  ///< the grains take all of the change
   undrained ///< it moves with the grains
@@ -105,7 +105,7 @@ constexpr auto words(ExchangeMode) {
   return word_table<ExchangeMode>({{ExchangeMode::window, "window"}, {ExchangeMode::lockstep, "lockstep"}});
 }
 
-/// What becomes of a run that can no longer be recorded.
+/// What happens to a run that can no longer be recorded.
 enum class OnFullDisk { stop, go_on };
 constexpr auto words(OnFullDisk) {
   return word_table<OnFullDisk>({{OnFullDisk::stop, "stop"}, {OnFullDisk::go_on, "go_on"}});
@@ -151,7 +151,7 @@ struct OutputFieldRow {
   bool of_water;  ///< of pore water, which the case must have
 };
 
-/// In the order of OutputField.
+/// The entries are in the order of OutputField.
 inline constexpr std::array output_fields{
     OutputFieldRow{OutputField::displacement, "displacement", "m", 2, false},
     OutputFieldRow{OutputField::velocity, "velocity", "m/s", 2, false},
@@ -197,7 +197,7 @@ constexpr auto words(SoilModel) {
                                 {SoilModel::pdmy03, "pdmy03"}});
 }
 
-/// What curves of hysteretic soil do after a reversal.
+/// Behaviour of hysteretic soil after a reversal.
 enum class Unloading { masing, mrdf };
 constexpr auto words(Unloading) {
   return word_table<Unloading>({{Unloading::masing, "masing"}, {Unloading::mrdf, "mrdf"}});

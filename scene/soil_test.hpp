@@ -50,7 +50,7 @@ enum class SoilTestUse { test, calibration };
 /// @throws CaseErrors (scene/text/errors.hpp) with every error of the file
 SoilTestFile load_soil_test(const std::filesystem::path& file, SoilTestUse use);
 
-/// The same from text. `file` names it in messages, `directory` is where relative file names start.
+/// Reads a soil test from text. `file` names it in messages; relative file names start from `directory`.
 SoilTestFile parse_soil_test(std::string_view text, const std::filesystem::path& file,
                              const std::filesystem::path& directory, SoilTestUse use);
 

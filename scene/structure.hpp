@@ -20,7 +20,7 @@ struct Outline {
   Polygon corners;
 };
 
-/// What a structure's surface does against a soil.
+/// Contact properties of a structure's surface against a soil.
 struct SoilContact {
   double friction = 0.0; ///< mu
   double adhesion = 0.0; ///< Pa

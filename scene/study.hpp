@@ -13,7 +13,7 @@
 
 namespace tremolo::scene {
 
-/// Which combinations of the values of a study are run.
+/// The combinations of a study's values that are run.
 enum class SweepDesign {
   product,        ///< every combination
   list,           ///< the first values of all axes, the second ones, ...
@@ -83,7 +83,7 @@ struct SpectralRatio {
   Place over_place;
 };
 
-/// What `tremolo sweep` runs.
+/// The runs of `tremolo sweep`.
 struct Study {
   std::filesystem::path file; ///< as given to load_study()
   std::string title;          ///< empty: that of the case

@@ -10,7 +10,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// How far a ray from p along d (of length 1) runs to the first edge that it meets, m.
+/// Distance along a ray from p in the unit direction d to the first edge, m.
 double free_way(const Polygon& polygon, Point p, Point d) {
   double way = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {

@@ -44,7 +44,7 @@ double target_from(const std::string& text) {
   return target;
 }
 
-/// What a finished rung has cost; it lies in the rung's folder and says that the run need not be made again.
+/// Cost of a finished rung. The file lies in the rung's folder and shows that the run need not be repeated.
 struct Cost {
   double cpu = 0.0;  ///< s
   double work = 0.0; ///< particle updates
@@ -150,7 +150,7 @@ std::string measure(std::vector<CostRung>& rungs, const std::vector<Rung>& cases
       reference.filename().string());
 }
 
-/// Of all families, the one whose fit reaches the target for the least time.
+/// The family whose fit reaches the target in the least time.
 std::optional<CostPrediction> predict(const scene::Case& given, const CostStudy& study) {
   if (std::ranges::find(study.knobs, size_key, &Knob::key) == study.knobs.end())
     return std::nullopt;

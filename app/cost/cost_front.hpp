@@ -32,7 +32,7 @@ std::vector<std::size_t> pareto_front(std::span<const CostPoint> points);
 /// The point of least CPU time whose error is at most `target`; none where there is none.
 std::optional<std::size_t> cheapest(std::span<const CostPoint> points, double target);
 
-/// What a family's points have in common.
+/// Error and CPU time of a family as power laws of the cell size, fitted to its points.
 struct CostFit {
   std::string family;
   std::size_t points = 0;
@@ -47,12 +47,12 @@ struct CostFit {
   double cpu_at(double size) const;
 };
 
-/// Of each family with two different sizes at least, in the order of their first points. A point without
-/// error (the reference itself) has no logarithm and is left out.
+/// Fits of all families with at least two different sizes, in the order of their first points. A point
+/// without error (the reference itself) has no logarithm and is left out.
 std::vector<CostFit> fits(std::span<const CostPoint> points);
 
 /// The largest cell size (m) at which the fit expects at most `target`, not above the largest measured one.
-/// @returns nothing where the errors do not fall with the size, or where it lies below a quarter of the
+/// @returns nothing if the errors do not fall with the size, or where it lies below a quarter of the
 /// smallest measured size: farther than a fit can see
 std::optional<double> size_for(const CostFit& fit, double target);
 

@@ -39,7 +39,7 @@ struct CostStudy {
   std::optional<double> target; ///< 1
   std::optional<CostPrediction> prediction;
 
-  /// Of the rungs that have an error.
+  /// Points of the rungs that have an error.
   std::vector<CostPoint> points() const;
 };
 

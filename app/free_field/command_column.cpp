@@ -139,7 +139,7 @@ void compute_models(const Options& options) {
     throw Exit{1};
 }
 
-/// Whose files it reads shows only when the case is read.
+/// The files that a case reads are known only after the case has been read.
 void require_places(const Options& options) {
   const std::vector<std::filesystem::path> inputs{options.scene};
   if (!options.record.empty())

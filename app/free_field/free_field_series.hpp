@@ -35,7 +35,8 @@ double peak(std::span<const freefield::ColumnSample> samples, double freefield::
 /// The level at which the peak of a member is largest; the lowest of several.
 std::size_t peak_level(const FreeFieldSeries& series, double freefield::ColumnSample::*member);
 
-/// Whose time a series has: they differ in a rest with a time factor (materials/water/soil_clock.hpp).
+/// The clock of a series' times: the two differ in a rest with a time factor
+/// (materials/water/soil_clock.hpp).
 enum class TimeOf { simulation, soil };
 
 /// Computes a free field in this process with the model of the source: wave, fe, ode, eql or mpm.

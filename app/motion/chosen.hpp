@@ -9,8 +9,8 @@
 
 namespace tremolo::app {
 
-/// What an option names, nothing where it was not given.
-/// @param named  the value of a word, nothing where there is none
+/// What an option names, nothing if it was not given.
+/// @param named  the value of a word, nothing if there is none
 /// @throws std::invalid_argument for a word that is not known
 template <class Enum>
 std::optional<Enum> chosen(const std::string& text, std::optional<Enum> (*named)(std::string_view),

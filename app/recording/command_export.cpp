@@ -61,7 +61,7 @@ private:
   std::uint64_t rows_ = 0;
 };
 
-/// Of a recorded exchange the field that the side takes, if none is asked for.
+/// The field of a recorded exchange that the side takes, used if the user asks for none.
 std::string field_of_side(const results::ExchangeReader& exchange, scene::Side side) {
   const auto& values = exchange.description().case_values;
   const auto form = std::ranges::find(values, "boundary.base.form", &results::RecordedValue::key);

@@ -53,7 +53,7 @@ struct ReadMotion {
 };
 
 /// A table of time, depth (or y) and some of vx, vy, sxx, syy, sxy under a header that names them; rows in
-/// any order in which the times of a depth increase. Of several files the rows are taken together.
+/// any order in which the times of a depth increase. The rows of several files are combined.
 /// @throws std::runtime_error naming file, line and what is wrong
 ReadMotion read_motion_csv(const std::vector<std::filesystem::path>& files, bool depth_down);
 

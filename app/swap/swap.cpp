@@ -95,7 +95,7 @@ double difference(const FreeFieldSeries& field, const FreeFieldSeries& reference
   return squares.ratio();
 }
 
-/// Of the worse side.
+/// The larger of the two sides' differences.
 double difference(const SideFields& fields, const SideFields& reference) {
   double worst = 0.0;
   for (std::size_t i = 0; i < fields.size(); ++i)

@@ -56,7 +56,7 @@ std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<
 /// The table for people.
 std::string swap_text(const std::vector<SwappedRun>& runs);
 
-/// The same as JSON, for the picture.
+/// That table as JSON, for the picture.
 std::string swap_json(const std::vector<SwappedRun>& runs);
 
 } // namespace tremolo::app

@@ -23,7 +23,7 @@ struct SweepRun {
   std::string inputs;         ///< files of data that it reads, with their checksums
   std::string free_fields;    ///< all that they depend on; empty where nobody else can use them
   std::optional<motion::Measures>
-      motion; ///< of the incident wave while the run lasts; nothing where there is none
+      motion; ///< of the incident wave while the run lasts; nothing if there is none
 };
 
 /// @param axes  of the study, with the motions that were made for it

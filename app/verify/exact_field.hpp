@@ -7,7 +7,7 @@
 
 namespace tremolo::app {
 
-/// Why the exact half-space field is not the solution of this case; nothing where it is: level ground up to
+/// Why the exact half-space field is not the solution of this case; nothing if it is: level ground up to
 /// one free surface on both sides, without layers, all soil linear elastic and equal to the half-space.
 std::optional<std::string> why_not_exact(const scene::Case& scene);
 

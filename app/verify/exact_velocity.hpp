@@ -23,7 +23,7 @@ public:
     double ax = 0.0, ay = 0.0; ///< time derivatives, m/s2
   };
 
-  /// Of where and when values will be asked for; m and s.
+  /// The range of positions and times at which values will be requested; m and s.
   struct Range {
     double x_min, x_max;
     double t_min, t_max;

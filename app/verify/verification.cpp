@@ -67,7 +67,7 @@ std::size_t nearest_particle(const ParticleAgreement& particles, double x, doubl
   return nearest;
 }
 
-/// Of particles in the middle of the box, with the frames as times.
+/// Histories of particles in the middle of the box, at the times of the frames.
 std::vector<PointHistory> particle_histories(const results::RunReader& run, const scene::Case& scene,
                                              const ParticleAgreement& particles) {
   const scene::Box& box = scene.mesh.box;

@@ -20,7 +20,7 @@ struct Verification {
   ParticleAgreement particles;
   std::vector<PointHistory> points; ///< the monitors; without any, a particle at surface, mid-height and base
   std::optional<double> energy_residual; ///< largest |residual| of the energy ledger over the largest kinetic
-                                         ///< energy, 1; nothing where the run has no ledger
+                                         ///< energy, 1; nothing if the run has no ledger
 };
 
 /// @throws std::runtime_error where the run is not complete, is of a case whose exact field is not known

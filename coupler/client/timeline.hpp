@@ -32,7 +32,7 @@ struct TimelineReport {
   double slice = 0.0; ///< wall time of a slice, s
   std::map<std::string, std::vector<double>, std::less<>> activities;
 
-  /// Of an activity in the whole run, s.
+  /// Total time of an activity over the run, s.
   [[nodiscard]] double seconds(std::string_view activity) const;
 
   /// Who waits for somebody who waits in turn waits for a third: names the third instead.
@@ -61,7 +61,7 @@ public:
   };
   [[nodiscard]] Scope enter(std::string_view activity) { return {*this, std::string(activity)}; }
 
-  /// From now on.
+  /// Starts the next activity.
   void turn_to(std::string activity);
 
   /// Up to now.

@@ -24,7 +24,7 @@ struct Letter {
   [[nodiscard]] std::span<const std::byte> bytes() const {
     return {static_cast<const std::byte*>(raw.data()), raw.size()};
   }
-  /// Whose CURVE key the connection came with; empty over ipc.
+  /// Owner of the CURVE key that the connection presented; empty over ipc.
   [[nodiscard]] std::string key_owner();
 };
 

@@ -37,7 +37,7 @@ Peaks peaks(const ServedSeries& series, std::uint64_t first, std::uint64_t last)
 /// field that is zero.
 double rate_defect(const ServedSeries& series);
 
-/// The density (kg/m3) that fits the balance of momentum best; nothing where no three points stand within a
+/// The density (kg/m3) that fits the balance of momentum best; nothing if no three points stand within a
 /// layer or nothing moves.
 std::optional<double> density_from_momentum(const ServedSeries& series);
 
@@ -48,7 +48,7 @@ struct MomentumFit {
   double density = 0.0; ///< kg/m3
   double misfit = 0.0;  ///< 2-norm of what this density leaves over that of the divergence of the stress
 };
-/// Nothing where density_from_momentum() has nothing, or nothing moves in this direction.
+/// Empty if density_from_momentum() has nothing, or nothing moves in this direction.
 std::optional<MomentumFit> momentum_fit(const ServedSeries& series, Direction direction);
 
 } // namespace tremolo::coupler

@@ -52,7 +52,7 @@ public:
   /// Reports to the hub, if it listens, why this participant leaves.
   void abandon(const std::string& reason);
 
-  /// The same, and throws the reason.
+  /// Abandons the connection and throws the reason.
   [[noreturn]] void fail(const std::string& reason);
 
   /// Whether the hub, which beats several times a second, has been silent for longer than the step deadline.

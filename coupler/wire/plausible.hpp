@@ -15,7 +15,7 @@
 namespace tremolo::coupler {
 
 /// The first value of a field that is not finite or beyond its bound, in words: its step, quantity, point and
-/// the allowed range. Nothing where all are plausible.
+/// the allowed range. Empty if all are plausible.
 /// @param first_step  that the values begin with
 /// @param values      steps x values_per_step() float64, not aligned
 std::optional<std::string> implausible(const FieldDescription& field, std::uint64_t first_step,

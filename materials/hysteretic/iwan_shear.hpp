@@ -63,7 +63,7 @@ std::span<const StateVariable> state_variables(const IwanShear& law);
 /// The elastic soil to make an initial stress with: strain is measured from the initial state.
 LinearElastic without_softening(const IwanShear& law);
 
-/// The soil at its strength over F, static shear included, to which it is elastic; nothing where its backbone
+/// The soil at its strength over F, static shear included, to which it is elastic; nothing if its backbone
 /// was given no strength: what a modulus curve implies at large strain is none.
 std::optional<DruckerPrager> with_reduced_strength(const IwanShear& law, double factor);
 

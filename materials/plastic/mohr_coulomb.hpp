@@ -58,7 +58,7 @@ void validate(const MohrCoulomb& law);
 
 std::vector<ParameterValue> parameters(const MohrCoulomb& law);
 
-/// The same soil held at its peak strength, e.g. for a gravity stage. Plastic strain still accumulates in the
+/// The soil held at its peak strength, e.g. for a gravity stage. Plastic strain still accumulates in the
 /// state; who softens afterwards from the peak sets it back to zero first.
 MohrCoulomb without_softening(MohrCoulomb law);
 
@@ -71,7 +71,7 @@ std::optional<MohrCoulomb> with_reduced_strength(MohrCoulomb law, double factor)
 /// @param friction  rad
 MohrCoulomb cohesionless(const Elasticity& elastic, double friction);
 
-/// The same soil with eta scaled for cells of another size than it was calibrated with: a shear band is about
+/// The soil with eta scaled to cells of another size than those it was calibrated with: a shear band is about
 /// one cell wide, so eta(h) = eta h / h_ref keeps shear strength against displacement across the band, and
 /// with it the dissipated energy, independent of h.
 /// @param cell_size, reference_size  h and h_ref, m

@@ -18,8 +18,8 @@ struct Relaxation {
   /// G*(s)/G.
   /// @param s  i omega + epsilon, 1/s
   std::complex<double> factor(std::complex<double> s) const;
-  /// The same mechanisms on a share (1) of a modulus, the rest of which does not relax: shear stiffness in
-  /// the P-wave modulus of saturated soil.
+  /// These mechanisms acting on a fraction (1) of a modulus, the rest of which does not relax: shear
+  /// stiffness in the P-wave modulus of saturated soil.
   Relaxation on_share(double share) const;
 };
 

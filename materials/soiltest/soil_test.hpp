@@ -160,10 +160,11 @@ struct Loop {
 /// Why a test ended.
 enum class End { completed, largest_strain, most_cycles, pore_pressure_ratio, refused };
 
-/// Of the largest stress: a test goes on as long as no stress that the apparatus holds is missed by more.
+/// Largest allowed deviation of a stress that the apparatus holds, relative to the largest stress; beyond it
+/// the test ends.
 inline constexpr double largest_missing_fraction = 0.05;
 
-/// What a test returns, however it ended.
+/// Result of a test, however the test ended.
 struct Result {
   History history; ///< columns of history.hpp
   CyclesTo cycles_to;
@@ -177,9 +178,9 @@ struct Result {
   double largest_pore_pressure_ratio = 0.0;
   End end = End::completed;
   std::string end_reason; ///< one clause, e.g. "the strain reached 0.06"
-  /// By how much a stress that the apparatus holds was missed at most, Pa. Zero unless the law left no strain
-  /// that gives it; the nearest was taken then, up to largest_missing_fraction of the largest stress. Beyond
-  /// that, and in a path, the test is refused instead.
+  /// Largest deviation of a stress that the apparatus holds, Pa. Zero unless the law left no strain that
+  /// gives it; the nearest was taken then, up to largest_missing_fraction of the largest stress. Beyond that,
+  /// and in a path, the test is refused instead.
   double largest_missing_stress = 0.0;
   materials::Leaps
       leaps; ///< to strains that the law holds a stress at, but that are not next to the last ones

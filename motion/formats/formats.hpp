@@ -28,7 +28,7 @@ struct Head {
 struct Format {
   const char* name;
   bool (*recognises)(const Head& head);
-  /// Nothing where the file cannot become a motion.
+  /// Empty if the file cannot become a motion.
   std::vector<Trace> (*read)(Lines& lines, const ReadAs& as);
   /// Says what the format is and what to do instead, where it is not read.
   const char* instead = nullptr;

@@ -62,7 +62,7 @@ bool is_scalar(hid_t attribute) {
   return space && H5Sget_simple_extent_npoints(space.get()) == 1;
 }
 
-/// A text attribute; nothing where there is none.
+/// A text attribute; nothing if there is none.
 std::optional<std::string> text_of(hid_t dataset, const char* key, const std::filesystem::path& file) {
   if (H5Aexists(dataset, key) <= 0)
     return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<std::string> text_of(hid_t dataset, const char* key, const std::fi
   return text;
 }
 
-/// The enumerator that a text attribute names; nothing where there is no such attribute.
+/// The enumerator that a text attribute names; nothing if there is no such attribute.
 template <class Enum>
 std::optional<Enum> word_of(hid_t dataset, const char* key, std::optional<Enum> (*named)(std::string_view),
                             const std::filesystem::path& file) {

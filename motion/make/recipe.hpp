@@ -29,7 +29,7 @@ struct Recipe {
 ///         value of another type
 Recipe read_recipe(const std::filesystem::path& file);
 
-/// The same from a stream; `file` names it in messages.
+/// Reads a recipe from a stream; `file` names it in messages.
 Recipe parse_recipe(std::istream& stream, const std::filesystem::path& file);
 
 } // namespace tremolo::motion

@@ -46,7 +46,7 @@ std::string squeezed(std::string_view text);
 bool says(std::string_view line, std::string_view capitals);
 bool begins(std::string_view line, std::string_view capitals);
 
-/// What stands behind a text in capitals; nothing where the line does not hold it.
+/// What stands behind a text in capitals; nothing if the line does not hold it.
 std::optional<std::string_view> after(std::string_view line, std::string_view capitals);
 
 /// A number as printed.
@@ -63,7 +63,7 @@ std::optional<Printed> number_after(std::string_view line, std::string_view capi
 /// @throws RecordError where a field is no number, or the text ends
 std::vector<double> fixed_fields(Lines& lines, std::size_t width, std::size_t count);
 
-/// The width of a field in a format as Fortran writes it: 10 of "(8F10.3)"; nothing where there is none.
+/// The width of a field in a format as Fortran writes it: 10 of "(8F10.3)"; nothing if there is none.
 std::optional<std::size_t> field_width(std::string_view format);
 
 /// What stands between blanks, commas, semicolons and equals signs.

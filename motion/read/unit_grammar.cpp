@@ -49,7 +49,7 @@ public:
 
   std::size_t at() const { return at_; }
 
-  /// The unit that begins here; nothing where none does.
+  /// The unit that begins here; nothing if none does.
   std::optional<ScaledUnit> unit() {
     const auto by = factor();
     if (!by)
@@ -82,7 +82,7 @@ private:
     return found;
   }
 
-  /// 1 where there is none; nothing where one is not understood.
+  /// 1 where there is none; nothing if one is not understood.
   std::optional<double> factor() {
     double by = 1.0;
     if ((is("x") || is("*")) && is_number(1))
@@ -136,7 +136,7 @@ private:
     return of_length(*length, *power);
   }
 
-  /// The power of time below a length, 0 for a displacement; nothing where it is not understood.
+  /// The power of time below a length, 0 for a displacement; nothing if it is not understood.
   std::optional<int> per_time() {
     const std::size_t product = is("*") ? 1 : 0;
     if (is_time(product)) {

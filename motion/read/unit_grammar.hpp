@@ -20,7 +20,7 @@ struct UnitAt {
   std::size_t end = 0;
 };
 
-/// The unit that begins at a token; nothing where none does.
+/// The unit that begins at a token; nothing if none does.
 std::optional<UnitAt> unit_at(std::span<const UnitToken> tokens, std::size_t begin);
 
 /// "percent", "milli" and the like.

@@ -34,11 +34,11 @@ struct Stated {
 ///                     and words of factors are strange
 Stated stated_in(std::string_view text, std::size_t strict_from = 0);
 
-/// A text that is a unit and nothing else; nothing where it is not wholly understood.
+/// A text that is a unit and nothing else; nothing if it is not wholly understood.
 std::optional<ScaledUnit> scaled_unit(std::string_view text);
 
 /// Seconds in one of the unit of a first column, from its name: "time (s)", "t [ms]", "# Time". 1 without a
-/// unit, nothing where the text is no name of a time.
+/// unit, nothing if the text is no name of a time.
 std::optional<double> seconds_per_time(std::string_view text);
 
 } // namespace tremolo::motion

@@ -36,7 +36,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What shared nodes keep over the steps of slow clocks. With one clock there are none.
+/// State that shared nodes keep during the steps of slow clocks; empty with one clock.
 class SharedNodes {
 public:
   SharedNodes(Ground& ground, const Ticks& ticks, const ClockNodes& nodes);
@@ -83,7 +83,7 @@ public:
   }
 
 private:
-  /// Of one clock; all fields are over all nodes of the grid.
+  /// State of one clock; all fields cover all nodes of the grid.
   struct Kept {
     NodeField mass, momentum_x, momentum_y; ///< of the particles of this and all slower clocks
     NodeField steady_x, steady_y;           ///< of this one's forces, N/m

@@ -12,8 +12,8 @@ class Ticks {
 public:
   explicit Ticks(int clocks) : clocks_(clocks) {}
 
-  /// Of the step that begins, s: its length dt_0 and, at its first tick, the time `kick` that forces act for
-  /// (Step::kick).
+  /// Sets the times of the step that begins, s: its length dt_0 and the time `kick` for which forces act at
+  /// its first tick (Step::kick).
   void set_step(double dt, double kick) {
     dt_ = dt;
     kick_ = kick;

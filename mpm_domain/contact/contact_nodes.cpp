@@ -31,7 +31,7 @@ bool lies_in(const mesh::Rectangle& box, const Particles& p, std::size_t k) {
   return p.x[k] > box.x_min && p.x[k] < box.x_max && p.y[k] > box.y_min && p.y[k] < box.y_max;
 }
 
-/// Likewise the particles of an elastic structure.
+/// Particles of an elastic structure near a box.
 std::vector<NearParticle> particles_near(const Ground& ground, const mesh::Rectangle& box,
                                          std::size_t number) {
   std::vector<NearParticle> near;

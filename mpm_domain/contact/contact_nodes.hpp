@@ -44,7 +44,7 @@ struct BodyLattice;
 struct Ground;
 struct Particles;
 
-/// What a contact node keeps from step to step while lattices move.
+/// Identity of a contact node, which stays the same from step to step while lattices move.
 struct NodeKey {
   std::optional<std::size_t> against; ///< the elastic structure in the place of the soil; none: soil
   int row = 0;                        ///< among the nodes of the soil's finest lattice
@@ -142,11 +142,11 @@ public:
 
   /// Takes the motion of the soil after an update over dt (s), before contact.
   void take_trial(const Ground& ground, double dt);
-  /// Likewise in the gravity stage, where water rests.
+  /// Takes the motion of the soil during the gravity stage, when water is at rest.
   void take_relaxing(const Ground& ground, double dt);
 
   std::vector<ContactNode>& nodes() { return nodes_; }
-  /// Whether nodes have been found before; until then a body stands where it is wished, tied to the soil.
+  /// Whether nodes have been found before; until then a body stays where it was specified, tied to the soil.
   bool placed() const { return placed_; }
   /// Goes on from nodes of which number and sets are known.
   void go_on_from(std::vector<ContactNode> nodes, bool placed) {
@@ -174,14 +174,14 @@ private:
     double gap = 0.0;     ///< sum V S gap of them
   };
 
-  /// How a near particle touches the body: the normal of its surface, from soil to body.
+  /// Contact of a near particle with the body: the surface normal, from soil to body.
   struct Touch {
     double gap = std::numeric_limits<double>::infinity(); ///< m
     bool corner = false;
     Vector normal;
   };
 
-  /// What a near particle gives to a node of the window that it reaches.
+  /// Contribution of a near particle to a node of the window within its reach.
   struct Entry {
     std::size_t near;
     std::size_t place;
@@ -189,7 +189,7 @@ private:
     Vector gradient; ///< V grad S, m
   };
 
-  /// How the body's surface reaches a node of the window that has soil.
+  /// Whether the body's surface reaches a window node that carries soil.
   enum class Reach : std::uint8_t { none, faint, whole };
 
   /// Finds the nodes at which the body meets what lies on a lattice: the soil, or another structure.

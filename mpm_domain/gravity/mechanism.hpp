@@ -30,7 +30,7 @@ struct Extent {
   double rows = 0.0;  ///< likewise, in sizes of the particles there
 };
 
-/// Nothing where no soil moves, since it is a structure that does.
+/// Empty if no soil moves, since it is a structure that does.
 std::optional<Extent> extent_of(std::span<const MovingPoint> mechanism);
 
 } // namespace tremolo::mpm_domain

@@ -44,7 +44,7 @@ public:
   /// Beyond the grid, the heads are those of its edge.
   explicit Head(HeadGrid grid) : field_(std::move(grid)) {}
 
-  /// The level of the table, m; nothing where the head is not the same everywhere.
+  /// The level of the table, m; nothing if the head is not the same everywhere.
   const double* level() const { return std::get_if<double>(&field_); }
   HeadThere at(double x, double y) const;
   /// Whether a place lies below the phreatic surface.

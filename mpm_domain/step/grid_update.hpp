@@ -17,7 +17,7 @@ ExactSums<1> grid_velocities(Ground& ground, std::span<const NodeRange> nodes);
 /// @returns power of the nodal forces, weight aside, on what v+ differs from u by, W/m
 ExactSums<1> remap_velocities(Ground& ground, std::span<const NodeRange> nodes);
 
-/// What the update of nodes adds up, J/m.
+/// Energies summed during the update of nodes, J/m.
 struct GridUpdate {
   double kinetic; ///< K(v+)
   double gravity_work;

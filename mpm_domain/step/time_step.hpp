@@ -31,7 +31,7 @@ StepBounds step_bounds(Domain& domain);
 /// The critical time step of this rank if all particles take the same, s.
 double critical_time_step(Domain& domain, double max_speed);
 
-/// Likewise where pore pressures stay as they are, as under gravity, s.
+/// The critical step for constant pore pressures, as under gravity, s.
 double critical_skeleton_step(Domain& domain);
 
 /// The next step, s: the fixed step of the scheme, or its fraction of the critical step. Where levels take

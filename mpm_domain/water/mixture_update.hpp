@@ -21,7 +21,7 @@ namespace tremolo::mpm_domain {
 /// @returns kinetic energy of the water, J/m
 ExactSums<1> water_velocities(Ground& ground, std::span<const NodeRange> nodes);
 
-/// What the update of nodes adds up, J/m.
+/// Energies summed during the update of nodes, J/m.
 struct MixtureUpdate {
   double kinetic; ///< of grains and water
   double gravity_work;
@@ -40,18 +40,19 @@ ExactSums<4> update_mixture(Ground& ground, double dt, std::span<const NodeRange
 /// The flux v_s + n w that changes pore pressures, of v+ (usl).
 void find_flux(Ground& ground, std::span<const NodeRange> nodes);
 
-/// Likewise of the velocities of the particles' new momenta (musl). Nodes that let no water pass have no w,
-/// whatever the particles beside them carry there: soil that lets none enter would take in what no force has
-/// moved.
+/// Finds the flux of the velocities remapped from the particles' new momenta (musl). At impermeable nodes w =
+/// 0, whatever neighbouring particles carry there: otherwise impermeable soil would take in water that no
+/// force has moved.
 /// @returns power of the excess pressure on the difference between the flow after the update and that of the
 /// flux, W/m
 ExactSums<1> remap_flux(Ground& ground, std::span<const NodeRange> nodes);
 
-/// Power of the weight that water takes off, and of the seepage force, on the mean of the velocity before and
-/// after the update, W/m. The update has booked the whole weight of what moves with the grains.
+/// Power of the buoyancy and of the seepage force on the mean of the velocities before and after the update,
+/// W/m. The update has booked the whole weight of what moves with the grains.
 ExactSums<1> lift_power(Ground& ground, std::span<const NodeRange> nodes);
 
-/// Likewise on the difference between the velocity after the update and the remapped one, W/m.
+/// Power of the buoyancy and the seepage force on the difference between the velocity after the update and
+/// the remapped one, W/m.
 ExactSums<1> lift_remap_power(Ground& ground, std::span<const NodeRange> nodes);
 
 } // namespace tremolo::mpm_domain

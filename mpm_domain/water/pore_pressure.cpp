@@ -187,7 +187,8 @@ double take_pressures(Ground& ground, Particles& p, std::size_t begin, std::size
   return sum(work);
 }
 
-/// Likewise for all particles of this rank. Tiles are the parts, which are the same for any ranks.
+/// Updates the pressures of all particles of this rank. Sums are split by tiles, which do not depend on the
+/// number of ranks.
 ExactSums<1> take_pressures(Ground& ground) {
   const std::size_t blocks = ground.block_count() + ground.across_block_count();
   std::vector<std::array<double, 1>> works(blocks);

@@ -12,7 +12,7 @@ void gather_water(Ground& ground);
 /// Velocities of grains and of water that flows, of the particles of a set in a tile that touch its lattice
 /// alone.
 void gather_mixture(Ground& ground, Particles& particles, std::size_t tile);
-/// Likewise of particles that touch several lattices.
+/// Gathers for particles that touch several lattices.
 void gather_mixture(Ground& ground, const AcrossTile& tile);
 
 } // namespace tremolo::mpm_domain

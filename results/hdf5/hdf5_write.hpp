@@ -63,8 +63,8 @@ Handle create_file(const std::filesystem::path& file);
 /// state: first the end of the file, then the metadata, which may refer to anything before it.
 void flush_file(const Handle& open_file, const std::filesystem::path& file);
 
-/// The same under another name, FILE.new, until publish_draft(): whoever finds a file under its own name
-/// finds one that opens.
+/// Creates the file as FILE.new until publish_draft() renames it: a file under its own name can always be
+/// opened.
 Handle create_draft(const std::filesystem::path& file);
 
 /// Flushes a draft and gives it its own name.

@@ -85,13 +85,13 @@ struct Table {
 /// All tables of a kind of file in the order of the reference; a table stands behind its parent.
 using KeyTable = std::span<const Table>;
 
-/// Of case files.
+/// The keys of case files.
 KeyTable case_keys();
-/// Of soil tests and calibrations.
+/// The keys of soil tests and calibrations.
 KeyTable soil_test_keys();
 /// The keys of studies, `tremolo sweep STUDY`; [axes] takes keys of the case.
 KeyTable study_keys();
-/// Of the soils in materials/library.
+/// The keys of the soils in materials/library.
 KeyTable library_keys();
 
 /// @throws std::logic_error for a name that is not in the table

@@ -85,7 +85,7 @@ constexpr std::array<std::string_view, 11> vary_over_depth = {"young",
                                                               "mean_stress",
                                                               "overconsolidation_ratio"};
 
-/// Of soils in the ground; a soil test says with which stresses it begins.
+/// Keys of soils in a case; in a soil test the initial stresses are given by the test.
 std::vector<Key> soil_keys_of_a_case() {
   auto keys = soil_keys();
   for (Key& key : keys)

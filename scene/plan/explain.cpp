@@ -71,7 +71,7 @@ std::string layers_text(const std::vector<Layer>& layers) {
                         : fmt::format("{} layer{}", layers.size(), layers.size() == 1 ? "" : "s");
 }
 
-/// What a free field's source has below its surface.
+/// The ground below the surface of a free field's source.
 std::string ground_text(const Case& scene, const SourceProcess& source) {
   if (source.field.model == SourceModel::shaking_table)
     return {};
@@ -88,7 +88,7 @@ std::string cell_sizes_text(const std::vector<Level>& levels) {
                             : fmt::format("{} to {} m", levels.front().cell_size, levels.back().cell_size);
 }
 
-/// Where ranks of the domain run, if there are any.
+/// The machines on which ranks of the domain run, if there are any.
 std::string ranks_text(const Case& scene) {
   if (!scene.hosts.domain)
     return {};

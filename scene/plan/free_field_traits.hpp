@@ -18,14 +18,14 @@ enum class Incidence {
   vertical
 };
 
-/// How a model answers to a motion within the ground.
+/// How a model treats a motion given within the ground.
 enum class WithinMotion {
   moves_base, ///< its base is rigid there and moves as the motion says: it ends at the top of the half-space
   divides,    ///< divides by the transfer function, which damped layers alone allow
   refuses
 };
 
-/// What a model of a free field is and takes.
+/// Properties and inputs of a free-field model.
 struct FreeFieldTraits {
   SourceModel model;
   std::string_view program;     ///< that serves it; empty for one of the user's own
@@ -77,7 +77,7 @@ constexpr bool in_frequency_domain(SourceModel model) {
   return traits(model).computed && !traits(model).marched_in_time;
 }
 
-/// Those that are computed from the ground of the case file.
+/// The models that are computed from the ground of the case file.
 inline std::vector<SourceModel> computed_models() {
   std::vector<SourceModel> models;
   for (const FreeFieldTraits& one : free_field_traits)

@@ -26,7 +26,8 @@ struct Level {
   double cells = 0.0;         ///< of one level: of the padded grid; of several: those in the model's box
   double particles = 0.0;
   double nodes = 0.0;
-  /// Of the soils and elastic structures whose particles touch cells of this level, as messages name them.
+  /// Time steps of the soils and elastic structures whose particles touch cells of this level, by their names
+  /// in messages.
   std::map<std::string, MaterialStep> steps;
   double critical_dt = 0.0; ///< the least of these, s; infinite where there are none
   double dt = 0.0;          ///< that they take, s; set by the plan

@@ -24,7 +24,7 @@ struct Effect {
   double ns_per_particle_step = 0.0; ///< single thread, on top of the others; 0 where it is not per particle
 };
 
-/// What a source process sends to a side.
+/// The data that a source process sends to a side.
 struct Served {
   Side side = Side::left;
   BaseForm field = BaseForm::total; ///< lateral sides always take the total field

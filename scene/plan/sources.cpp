@@ -32,7 +32,7 @@ std::optional<Side> own(const LateralBoundary& boundary, Side side) {
   return boundary.own_profile.empty() ? std::nullopt : std::optional(side);
 }
 
-/// That of the base under one side's ground.
+/// The source that serves the base with the ground of one side.
 const SourceProcess& under_side(const Plan& plan, const LateralBoundary& boundary, Side side) {
   const auto source = std::ranges::find_if(plan.sources, [&](const SourceProcess& candidate) {
     return candidate.surface == boundary.surface && candidate.profile == own(boundary, side) &&

@@ -21,13 +21,13 @@ struct PlannedStructure {
   double bytes = 0.0;         ///< of what contact keeps
 };
 
-/// What contact takes of a node's step on one thread, ns; of the order of magnitude.
+/// Cost of contact per node and step on one thread, ns; an order of magnitude.
 inline constexpr double contact_node_cost_ns = 6000.0;
 
 /// Outlines of all structures and linings that have one.
 std::vector<Polygon> outlines(const Case& scene);
 
-/// Those of the regions.
+/// The polygons of the regions.
 std::vector<Polygon> region_polygons(const Case& scene);
 
 /// Side of the cells that structures meet soil on: the finest of the mesh, m.
@@ -36,7 +36,7 @@ double contact_cell_size(const Case& scene);
 /// Points on a structure's outline with soil next to them, a quarter of a cell apart.
 std::vector<Point> points_on_soil(const Case& scene, std::size_t structure);
 
-/// For a case without errors.
+/// Requires a case without errors.
 std::vector<PlannedStructure> plan_structures(const Case& scene);
 
 /// "'tunnel' 5890 kg/m, 57.8 kN/m, net 135 kN/m upwards in water; ...", and what contact costs.

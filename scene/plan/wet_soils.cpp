@@ -43,7 +43,7 @@ bool in_region_below(const Case& scene, std::size_t soil) {
   });
 }
 
-/// What a choice of drainage means, and what it saves.
+/// A text on a choice of drainage and the time that it saves.
 std::string_view drainage_text(materials::Drainage drainage) {
   switch (drainage) {
   case materials::Drainage::coupled:
@@ -56,7 +56,7 @@ std::string_view drainage_text(materials::Drainage drainage) {
   return {};
 }
 
-/// What a phreatic line means: for flow along a slope beta, p = gamma_w z cos^2 beta below it.
+/// A text on the meaning of a phreatic line: for flow along a slope beta, p = gamma_w z cos^2 beta below it.
 std::string line_text(const Case& scene) {
   const Polygon& line = scene.water->line;
   double steepest = 0.0;

@@ -15,10 +15,10 @@ std::vector<std::reference_wrapper<const Soil>> soils_below_table(const Case& sc
 /// Whether water flows in a soil below the table.
 bool lets_water_flow(const Soil& soil);
 
-/// Where the water is, in a few words.
+/// A few words on the position of the water.
 std::string table_text(const GroundWater& water);
 
-/// What water does in each of them, in words: densities, stiffness, speeds of waves, drag.
+/// A text on the water in each of these soils: densities, stiffness, wave speeds, drag.
 std::string water_text(const Case& scene);
 
 } // namespace tremolo::scene

@@ -1,7 +1,7 @@
-// What stands in which stage. A name that is placed before it is removed is not there at the start; all
-// others are. Each construction keeps what stands until it, the case what stands after the last one before
-// the shaking, which is what the ground is shaken with, and each earthwork after a shaking what it places and
-// removes, and what stands from then on.
+// Finds the items present in each stage. A name that is placed before it is removed is absent at the start;
+// all others are present. Each construction stores the items present until it, the case those present after
+// the last construction before the shaking, with which the ground is shaken, and each earthwork after a
+// shaking those that it places and removes, and those present from then on.
 
 #include "scene/read/read.hpp"
 #include "scene/text/nearest.hpp"

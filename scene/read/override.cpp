@@ -70,7 +70,7 @@ public:
   }
 
   std::string text() && {
-    // From the end, so that earlier positions stay where they are.
+    // Edits are applied from the end, so that earlier positions stay valid.
     std::ranges::sort(replacements_, std::greater{}, &Replacement::begin);
     std::string text = scene_.text;
     for (const auto& [begin, end, value] : replacements_)

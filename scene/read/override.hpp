@@ -15,7 +15,7 @@ struct RecordedSide {
   Side side = Side::left;
 };
 
-/// What a run may replace in its case.
+/// The parts of a case that a run may replace.
 struct CaseOverride {
   std::optional<std::filesystem::path> record; ///< instead of [motion] file
   std::optional<double> angle_deg;             ///< instead of [motion] angle_deg

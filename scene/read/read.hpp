@@ -1,6 +1,6 @@
 #pragma once
 
-// From tables to the structs of a case. What is missing or wrong is reported and left at its empty value.
+// Functions that read tables into the structs of a case. Missing or wrong values are reported and left empty.
 
 #include "scene/case.hpp"
 #include "scene/read/reader.hpp"
@@ -29,18 +29,18 @@ void read_mesh(Document& document, Case& scene);
 void read_time(Document& document, Findings& findings, Case& scene);
 /// The incident waves; after read_stages.
 void read_motion(Document& document, Findings& findings, Case& scene);
-/// The pulse or the record of [motion] or [stage.motion], whose kind is not known yet; nothing where there is
+/// The pulse or the record of [motion] or [stage.motion], whose kind is not known yet; nothing if there is
 /// none.
 std::optional<MotionSource> read_motion_source(const TableReader& table, const Case& scene,
                                                Findings& findings);
 /// Stages, with the motions of all shakings but the first; before read_free_field.
 void read_stages(Document& document, Findings& findings, Case& scene);
-/// What stands before each construction and after all; after all else that knows regions,
-/// structures and props.
+/// The models before each construction and after all of them; read after everything else that refers to
+/// regions, structures and props.
 void find_standing(Case& scene, Findings& findings);
 /// Structures; after read_soils.
 void read_structures(Document& document, Findings& findings, Case& scene);
-/// A closed line that stands as a polygon, or else as a table with centre and radius; nothing where it stands
+/// A closed line that stands as a polygon, or else as a table with centre and radius; nothing if it stands
 /// as neither.
 std::optional<Outline> read_outline(const TableReader& table, std::string_view polygon,
                                     std::string_view circle_key, Findings& findings);
@@ -58,7 +58,7 @@ void read_sections(Document& document, Findings& findings, Case& scene);
 void read_props(Document& document, Findings& findings, Case& scene);
 /// Regions, structures, linings, sections, props and time stepping; after read_free_field.
 void read_model(Document& document, Findings& findings, Case& scene);
-/// Which processes run on other machines.
+/// The processes that run on other machines.
 void read_hosts(Document& document, Case& scene);
 /// Coupling, monitors, lines, sliding masses, output and verification.
 void read_run(Document& document, Findings& findings, Case& scene);

@@ -70,7 +70,7 @@ LateralBoundary read_side(Document& document, const char* name, Findings& findin
   return side;
 }
 
-/// Where the model repeats itself, or ends at a wall, there is no free field, only the level of its surface.
+/// Periodic sides and walls have no free field, only the level of its surface.
 LateralBoundary read_side_without_field(Document& document, const char* name, Findings& findings,
                                         const Case& scene) {
   if (document.has(name)) {

@@ -14,7 +14,7 @@ void refuse_keys_of_record(const TableReader& table, Findings& findings) {
       findings.add(table.path(key), fmt::format("'{}' does not apply to 'pulse', only to 'file'", key));
 }
 
-/// Where a wave comes from, and where it has its motion.
+/// Direction of incidence of a wave, and the point at which its motion is given.
 void read_way(const TableReader& table, MotionInput& input) {
   input.angle_deg = table.number("angle_deg");
   if (table.given("reference"))

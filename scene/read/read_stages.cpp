@@ -35,7 +35,7 @@ std::string read_name(const TableReader& table, const std::string& kind, std::ve
   return name;
 }
 
-/// What pore water does, in all soils or soil by soil.
+/// Drainage, for all soils or soil by soil.
 void read_drainage(StaticStage& stage, const TableReader& table, const std::string& kind,
                    Findings& findings) {
   stage.undrained = table.choice<StageDrainage>("drainage") == StageDrainage::undrained;
@@ -73,7 +73,7 @@ double read_in_time(const TableReader& table, const std::string& name, Case& sce
   return start;
 }
 
-/// What static stages after gravity have in common.
+/// Keys common to all static stages after gravity.
 void read_static(StaticStage& stage, const TableReader& table, const std::string& name, const Case& so_far,
                  Findings& findings) {
   stage.name = name;

@@ -78,7 +78,7 @@ TableReader::TableReader(const Table& spec, const toml::table* node, std::string
     refuse_unknown_keys();
     find_library();
   }
-  // Keys without a condition first: the others ask for their values.
+  // Keys without a condition come first, since the others depend on their values.
   for (const bool conditional : {false, true})
     for (const Key& key : spec_.keys)
       if (key.when.key.empty() != conditional)
@@ -89,7 +89,7 @@ std::string TableReader::path(std::string_view key) const {
   return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
-/// In the file, otherwise in the library's soil.
+/// Looks up a key in the file, otherwise in the library's soil.
 const toml::node* TableReader::node_of(std::string_view key) const {
   const toml::node* own = node_ != nullptr ? node_->get(key) : nullptr;
   return own == nullptr && library_.table != nullptr ? library_.table->get(key) : own;
@@ -167,7 +167,7 @@ void TableReader::read(const Key& key) {
   }
 }
 
-/// As it stands in the file.
+/// The value as written in the file.
 std::string TableReader::shown_value(const Key& key, const Value& value) const {
   if (key.type == Type::boolean)
     return std::get<std::string>(value);
@@ -328,7 +328,7 @@ std::optional<std::string> TableReader::convert_text(const Key& key, const toml:
   return value;
 }
 
-/// Where the choice goes by names, the default is kept for others.
+/// If choices are given by name, all other names keep the default.
 std::optional<std::string> TableReader::convert_choice_by_name(const Key& key, const toml::node& node) {
   const toml::table* const table = node.as_table();
   if (table == nullptr && node.is_string())

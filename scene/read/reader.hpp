@@ -23,7 +23,7 @@ namespace tremolo::scene {
 /// "a string", "an array", ...
 std::string type_name(const toml::node& node);
 
-/// What every table of a file is read with.
+/// State shared by the readers of all tables of a file.
 struct Reading {
   KeyTable keys;
   Findings& findings;
@@ -72,9 +72,9 @@ public:
   Enum choice(std::string_view key) const {
     return value_named<Enum>(text(key)).value_or(words(Enum{}).front().value);
   }
-  /// What a key of Type::choice_by_name says of names; empty where it has one choice for all.
+  /// The choices that a key of Type::choice_by_name gives by name; empty if it has one choice for all.
   std::map<std::string, std::string> words_by_name(std::string_view key) const;
-  /// Of Type::numbers or Type::series.
+  /// The value of a key of Type::numbers or Type::series.
   std::vector<double> numbers(std::string_view key) const;
   Point point(std::string_view key) const;
   /// The corners of a key of Type::polygon, Type::line or Type::points.
@@ -85,7 +85,7 @@ public:
   /// The table below this one, where the file has it: `circle` of [[structure]] by the spec
   /// "structure.circle".
   std::optional<TableReader> table(std::string_view key) const;
-  /// Likewise those of an array of tables.
+  /// The tables of an array of tables.
   std::vector<TableReader> tables(std::string_view key) const;
 
 private:

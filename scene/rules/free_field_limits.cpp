@@ -19,7 +19,7 @@ namespace {
 using enum SourceModel;
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// Where a wave is the fastest, and its speed.
+/// The material in which a wave is fastest, and its speed.
 struct Fastest {
   double speed = 0.0; ///< m/s
   std::string place;
@@ -128,7 +128,7 @@ bool in_one_shear(const materials::Law& law) {
   return materials::traits(law).response == materials::Response::elastic || materials::shear_backbone(law);
 }
 
-/// What `damping_suits_models` refuses.
+/// Whether `damping_suits_models` refuses the damping.
 bool refused_damping(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
   if (in_frequency_domain(model))
     return scene.damping.model == DampingModel::rayleigh && (damped(layers) || scene.halfspace_damping > 0.0);

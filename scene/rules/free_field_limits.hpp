@@ -1,7 +1,7 @@
 #pragma once
 
-// What each model of a free field can compute, and which ones can compute what another cannot: a refusal
-// names only ways that exist.
+// The limits of each free-field model, and the models that can compute what another cannot: a refusal names
+// only alternatives that exist.
 
 #include "scene/case.hpp"
 

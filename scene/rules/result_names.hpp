@@ -19,8 +19,8 @@ struct NamedResult {
 /// @param table  "monitor"
 void check_result_names(std::string_view table, const std::vector<NamedResult>& named, Findings& findings);
 
-/// Likewise for what was read from these tables. What does not know its path is the only one of its kind that
-/// no stage removes, and its number is that of its table.
+/// Checks the names of items read from these tables. An item without a path belongs to a kind that no stage
+/// removes, so that its index is that of its table.
 template <class Item>
 void check_result_names(std::string_view table, const std::vector<Item>& items, Findings& findings) {
   std::vector<NamedResult> named;

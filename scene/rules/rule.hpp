@@ -1,10 +1,9 @@
 #pragma once
 
-// What a case must fulfil beyond each key's own type and range, and what its user should know of it. A rule
-// is a row of rule_table.cpp and a function in a file of its own: it looks at the case as read and reports
-// what is violated, why, and how to mend it. A rule whose findings are errors stays silent where a value that
-// it needs is missing or wrong, since that has been reported already; the others see only cases without
-// errors.
+// Conditions on a case beyond each key's own type and range, and warnings and notes for its user. A rule is a
+// row of rule_table.cpp and a function in a file of its own: it looks at the case as read and reports what is
+// violated, why, and how to mend it. A rule whose findings are errors stays silent where a value that it
+// needs is missing or wrong, since that has been reported already; the others see only cases without errors.
 
 #include "scene/case.hpp"
 #include "scene/text/findings.hpp"

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double dry = -std::numeric_limits<double>::infinity(); ///< level of a table without water, m
 
-/// What carries stress in the ground above and below the water table, kg/m3.
+/// Densities for the effective stress above and below the water table, kg/m3.
 std::pair<double, double> densities_of(const GroundPiece& piece, const Case& scene) {
   const auto* soil = piece.soil ? &scene.soils[*piece.soil] : nullptr;
   if (soil != nullptr && soil->pores)

@@ -1,6 +1,6 @@
 #pragma once
 
-// What lies below a place: of the domain along a vertical line, of a free field under its surface. Vertical
+// The soils below a point: in the domain along a vertical line, in a free field below its surface. Vertical
 // effective stress is what the ground above weighs,
 //
 //     sigma'_v(y) = g int_y^surface rho' dy,
@@ -26,7 +26,7 @@ struct GroundPiece {
   double table = -std::numeric_limits<double>::infinity(); ///< y of the water table there, m
 };
 
-/// From the top down.
+/// The pieces are ordered from the top down.
 using GroundColumn = std::vector<GroundPiece>;
 
 /// The levels (m) at which the vertical line at x (m) crosses a polygon's edges, from the top down.

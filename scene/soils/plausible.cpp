@@ -31,7 +31,7 @@ constexpr std::array speed_units = {OtherUnit{"km/s", 1e3}};
 constexpr std::array conductivity_units = {OtherUnit{"m2", conductivity_per_area},
                                            OtherUnit{"m/day", 1.0 / 86400.0}, OtherUnit{"cm/s", 0.01}};
 
-/// What the magnitude of a key is in practice.
+/// Usual magnitude of a key's value.
 struct Plausible {
   std::string_view key; ///< its table, without the name of a soil, and itself
   double least = 0.0;
@@ -118,7 +118,7 @@ const Plausible* row_of(std::string_view path, std::string_view model) {
   return row == plausible_ranges.end() ? nullptr : &*row;
 }
 
-/// To four digits, without an exponent below a million.
+/// A number to four digits, without an exponent below a million.
 std::string rounded(double value) {
   return fmt::format("{:g}", std::stod(fmt::format("{:.3e}", value)));
 }

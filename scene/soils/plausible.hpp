@@ -13,7 +13,7 @@
 
 namespace tremolo::scene {
 
-/// Why a number is likely to be in another unit, with what it would be in that unit; nothing where the value
+/// Why a number is likely to be in another unit, with what it would be in that unit; nothing if the value
 /// is plausible, and for keys that the table does not hold.
 /// @param path   of the key in its file, "soil.clay.young", "profile[2].density"
 /// @param model  of the soil that the key belongs to, empty for others

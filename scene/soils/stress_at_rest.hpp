@@ -52,17 +52,17 @@ std::vector<GroundColumn> columns_of_domain(const Case& scene);
 std::vector<GroundColumn> free_fields_at_rest(const Case& scene,
                                               std::optional<SourceModel> model = std::nullopt);
 
-/// Those of domain and free fields.
+/// The columns of the domain and of the free fields.
 std::vector<GroundColumn> columns_at_rest(const Case& scene);
 
-/// Of the key that gives K0, or of the soil.
+/// Path of the key that gives K0, or else of the soil.
 std::string rest_path(const Case& scene, const RestingSoil& resting);
 
 /// "K0 = 9.9 asks for 1.3 times the strength of soil 's' at y = -10 m, under 81 kPa of vertical effective
 /// stress, and mobilises 54 degrees; it holds K0 of 0.29 to 3.6".
 std::string text(const Case& scene, const RestingSoil& resting);
 
-/// Which strength of the soil is likely to be in another unit, with a "; " before it; empty if none.
+/// A hint, beginning with "; ", at a strength that is probably in another unit; empty if there is none.
 std::string strength_doubt(const Case& scene, const RestingSoil& resting);
 
 } // namespace tremolo::scene

@@ -6,8 +6,8 @@
 
 namespace tremolo::scene {
 
-/// How grave a finding is. A case with errors is refused; warnings doubt its results; notes say what they
-/// hold for.
+/// Severity of a finding. A case with errors is refused; warnings cast doubt on its results; notes state
+/// their limits.
 enum class Severity { error, warning, note };
 
 /// One thing that was found in a case file. Lines and columns count from 1.

@@ -11,14 +11,14 @@
 
 namespace tremolo::scene {
 
-/// Where in the file a key or table stands, and the table to name in messages.
+/// Position of a key or table in the file, and the table to name in messages.
 struct Place {
   unsigned line = 1;
   unsigned column = 1;
   std::string table;
 };
 
-/// What has been found so far in a case that is read, and where everything stands.
+/// The findings so far while a case is read, and the positions of all keys.
 ///
 /// Keys are named by their path: "mesh.size", "soil.sand.young", "region[0].polygon". A key with an error is
 /// unsound, so that a later rule does not judge a value that is not there.
@@ -34,7 +34,7 @@ public:
   /// The place of the path, or of the nearest table above it that is in the file.
   Place place(std::string path) const;
 
-  /// What is added from now on is of this severity; until the first call it is an error.
+  /// Sets the severity of the findings added from now on; until the first call they are errors.
   void grade(Severity severity) { severity_ = severity; }
 
   /// Records a finding at the place of the path, once. An error makes the path unsound.

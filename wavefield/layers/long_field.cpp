@@ -103,7 +103,7 @@ void add_interpolated(const History& coarse, const TimeGrid& from, History& fine
 
 } // namespace
 
-/// Nothing where it is too long.
+/// Empty if it is too long.
 std::optional<LongField::Reach> LongField::reach_of(const LayeredField& pulse, std::span<const Point> points,
                                                     double dt, Part part) {
   const auto [low, high] = std::ranges::minmax(points, {}, &Point::y);

@@ -12,7 +12,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of the waves that reflectivity has solved for at s, at y below the top of a medium (y <= 0, m).
+/// Amplitude of the waves that `reflectivity` has solved for at s, at y relative to the top of a medium (y <=
+/// 0, m).
 Amplitude at_level(const Reflectivity& reflectivity, WaveType wave_type, std::size_t medium,
                    const LayerAmplitudes& amplitudes, double thickness, double y, Complex s) {
   const WaveBasis& basis = reflectivity.basis(medium);

@@ -29,10 +29,10 @@ namespace {
 /// Levels computed between two signs of life.
 constexpr std::size_t levels_per_beat = 32;
 
-/// Of all steps of the levels that are computed together.
+/// Limit on the memory for all steps of the levels that are computed together.
 constexpr std::size_t most_lot_bytes = std::size_t{32} << 20;
 
-/// What a plane wave is served as.
+/// A plane wave as it is served.
 struct Served {
   const LayeredField& field;
   Part part;

@@ -33,8 +33,8 @@ struct Window {
 /// @throws std::invalid_argument if that needs more samples than fit in memory
 Window make_window(const TimeGrid& grid, const Interval& interval, double padding, double highest_frequency);
 
-/// The same for causal fields: the interval at the window's beginning, and epsilon such that what wraps
-/// around is damped to 1e-7.
+/// A window for causal fields: the interval lies at its beginning, and epsilon damps the wrapped-around
+/// signal to 1e-7.
 Window make_exponential_window(const TimeGrid& grid, const Interval& interval, double padding,
                                double highest_frequency);
 

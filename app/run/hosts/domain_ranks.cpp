@@ -26,7 +26,7 @@ namespace {
 
 using scene::StartRanksBy;
 
-/// Who starts ranks on other machines; nothing where all run here.
+/// Who starts ranks on other machines; nothing if all run here.
 std::optional<StartRanksBy> start_elsewhere(const scene::Case& scene, bool local) {
   return local || !scene.hosts.domain ? std::nullopt : std::optional(scene.hosts.domain->start);
 }

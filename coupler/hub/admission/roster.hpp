@@ -36,7 +36,7 @@ public:
   [[nodiscard]] Participant* with_name(const std::string& name);
   [[nodiscard]] Participant* with_number(std::uint32_t number);
   [[nodiscard]] Participant* at_connection(const std::string& routing_id);
-  /// Whose `tremolo join` has this connection.
+  /// The participant whose `tremolo join` uses this connection.
   [[nodiscard]] Participant* ushered_by(const std::string& routing_id);
 
   /// Whether all have said HELLO.

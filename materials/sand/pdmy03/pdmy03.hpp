@@ -133,7 +133,7 @@ LinearElastic without_softening(const Pdmy03& law);
 /// it is elastic.
 std::optional<MohrCoulomb> with_reduced_strength(const Pdmy03& law, double factor);
 
-/// Relative density of the recommended set, 1; nothing where no set was asked for.
+/// Relative density of the recommended set, 1; nothing if no set was asked for.
 std::optional<double> relative_density(const Pdmy03& law);
 
 /// Advances stress, state and plastic work of all points by one step, in sub-increments of 1e-5 strain.

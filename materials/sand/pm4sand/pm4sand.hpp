@@ -65,7 +65,7 @@ struct Pm4SandInput {
   bool post_shake = false;      ///< reduced stiffness of reconsolidation after shaking
 };
 
-/// How a step is cut into sub-steps.
+/// Rules for dividing a step into sub-steps.
 struct Pm4Integration {
   double largest_strain = 1e-3;  ///< largest strain component of a sub-step
   double tolerance = 1e-4;       ///< relative error of a sub-step in stress, back stress and fabric
@@ -110,7 +110,7 @@ struct Pm4Sand {
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 Pm4Sand pm4sand(const Pm4SandInput& input);
 
-/// The same soil in its post-shaking, reconsolidating condition.
+/// The soil in its post-shaking, reconsolidating condition.
 Pm4Sand after_shaking(Pm4Sand law);
 Pm4Sand shaken_again(Pm4Sand law);
 
@@ -127,7 +127,7 @@ void initialise(const Pm4Sand& law, const Points& points);
 
 Traits traits(const Pm4Sand& law);
 
-/// At the initial density.
+/// The strength lines at the initial density.
 std::vector<StrengthLine> strength_lines(const Pm4Sand& law);
 
 /// The elastic soil to make an initial stress with: stiffness and memory begin with that stress.

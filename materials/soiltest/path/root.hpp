@@ -15,7 +15,7 @@ struct RootSearch {
   double tolerance = 0.0; ///< of the root
 };
 
-/// Where the function changes its sign. Of a jump the side is returned on which the function is smaller.
+/// The point at which a function changes sign. At a jump it is the side on which the function is smaller.
 struct Root {
   bool found = false; ///< otherwise x is the point with the smallest value
   double x = 0.0;

@@ -60,14 +60,14 @@ private:
   void push(Ground& ground, const Ticks& ticks, int clock, std::span<const NodeRange> rows);
   /// Power (W/m) of that inertia on the mean velocity of an update; the sum of one rank.
   ExactSums<1> power(Ground& ground, int clock, std::span<const NodeRange> rows) const;
-  /// Likewise on the difference between v+ and the remapped velocity.
+  /// Power of that inertia on the difference between v+ and the remapped velocity, W/m.
   ExactSums<1> remap_power(Ground& ground, int clock, std::span<const NodeRange> rows) const;
   /// Takes the inertia of the water off the forces on it again: what is left is that of the pressure alone.
   void release_water(Ground& ground, int clock, std::span<const NodeRange> rows) const;
   /// Base and walls take up the forces on the nodes that they hold.
   void bear(NodeFields& nodes) const;
 
-  /// What nodes of a clock have seen of the base.
+  /// The base motion as the nodes of one clock have seen it.
   struct Seen {
     Vector velocity;     ///< at the end of the last kick, m/s
     Vector acceleration; ///< in it, m/s2

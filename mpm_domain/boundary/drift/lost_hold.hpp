@@ -40,7 +40,7 @@ public:
   /// All faces where d counts.
   std::vector<FaceDrift> faces() const;
   /// The largest |d| at each side and the base where it counts, and how much of the soil's strength k d asks
-  /// for: a sentence, or nothing where no side counts.
+  /// for: a sentence, or nothing if no side counts.
   std::optional<std::string> report() const;
   /// What a user should know where the ground beyond a side would not hold: d has become too large along the
   /// normal of a face, or the springs of a side pull beyond the strength of its soil.

@@ -90,7 +90,7 @@ double Contact::solve_rigid(std::size_t body, const RigidMotion& trial, bool bon
                    size * std::abs(found.motion.spin - last.spin)});
 }
 
-/// Likewise, node by node: two contacts may act at one node of the body itself.
+/// Solves an elastic body node by node: two contacts may act at one node of the body itself.
 double Contact::solve_elastic(std::size_t body, bool bonded) {
   double most = 0.0;
   std::vector<ContactNode>& nodes = nodes_[body].nodes();

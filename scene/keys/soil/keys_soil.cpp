@@ -11,7 +11,7 @@ namespace {
 
 constexpr Range angle = {.low = 0.0, .high = 90.0, .high_open = true};
 
-/// Of soils with a backbone.
+/// A key of soils with a backbone.
 Key backbone(std::string_view name, std::vector<std::string_view> models, std::string_view meaning,
              Range range) {
   return {.name = name,
@@ -22,7 +22,7 @@ Key backbone(std::string_view name, std::vector<std::string_view> models, std::s
           .when = {"model", std::move(models)}};
 }
 
-/// Of the built-in curves.
+/// A key of the built-in curves.
 Key darendeli(std::string_view name, std::string_view unit, std::string_view meaning,
               std::string_view fallback, Range range) {
   return {.name = name,

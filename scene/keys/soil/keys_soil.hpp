@@ -4,7 +4,7 @@
 
 namespace tremolo::scene {
 
-/// What the table of a soil is, in words.
+/// Description of a soil's table.
 inline constexpr std::string_view soil_meaning =
     "A soil: the keys of its model, or the name of one in the library, or both. Elastic constants, of models "
     "that "
@@ -13,7 +13,7 @@ inline constexpr std::string_view soil_meaning =
 /// The keys of a soil, the same in cases, soil tests and the library.
 std::vector<Key> soil_keys();
 
-/// Of PM4Sand and PDMY03.
+/// The keys of PM4Sand and PDMY03.
 std::vector<Key> sand_keys();
 
 } // namespace tremolo::scene

@@ -6,9 +6,9 @@ namespace tremolo::scene {
 
 /// [water]
 Table water_table();
-/// Where the water is: keys of [water], and of a stage that changes it.
+/// Keys for the position of the water table, in [water] and in stages that change it.
 std::vector<Key> level_keys();
-/// What a soil below the water table has besides its law.
+/// Keys of a soil below the water table besides those of its law.
 std::vector<Key> pore_keys();
 
 } // namespace tremolo::scene

@@ -25,7 +25,7 @@ bool base_has_no_total_field(const Case& scene);
 /// of both surfaces.
 Point spring_centre(const Case& scene);
 
-/// The springs of a side; nothing where it has none.
+/// The springs of a side; nothing if it has none.
 std::optional<PlannedSprings> springs(const Case& scene, Side side);
 
 /// "left, right: 1 and 0.5 G/R around (0, 0) m; ..."

@@ -24,7 +24,7 @@
 
 namespace tremolo::scene {
 
-/// What a ring has of its own.
+/// Properties of a ring only.
 struct PlannedRing {
   double period = 0.0; ///< of free ovaling, s
   /// F in the soil at its springline, and that soil's name; none of soil whose stiffness is not in its law.
@@ -45,10 +45,10 @@ struct PlannedLining {
   std::optional<PlannedRing> ring; ///< of a circle
 };
 
-/// What a segment takes of a step on one thread, ns; of the order of magnitude.
+/// Cost per segment and step on one thread, ns; an order of magnitude.
 inline constexpr double lining_segment_cost_ns = 15000.0;
 
-/// For a case without errors.
+/// Requires a case without errors.
 std::vector<PlannedLining> plan_linings(const Case& scene);
 
 /// "'ring' 14100 kg/m, 64 elements; ...", and what they cost.

@@ -17,7 +17,7 @@ struct PlannedProp {
   double critical_step = 0.0; ///< s, about
 };
 
-/// For a case whose mesh, structures and props are known.
+/// Requires a case whose mesh, structures and props have been read.
 std::vector<PlannedProp> plan_props(const Case& scene);
 
 /// "'strut' ...; ..."

@@ -22,7 +22,7 @@ struct FastRest {
   double settlement_error() const;
 };
 
-/// Nothing where there is no rest, no time factor, or no water that flows.
+/// Empty if there is no rest, no time factor, or no water that flows.
 std::optional<FastRest> fast_rest(const Case& scene);
 
 } // namespace tremolo::scene

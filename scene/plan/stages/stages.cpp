@@ -28,7 +28,7 @@ std::string drainage_text(const StaticStage& stage) {
   return fmt::format("undrained{}, ", soils);
 }
 
-/// How long a static stage lasts.
+/// A text on the duration of a static stage.
 std::string relaxation(const Case& scene, const StaticStage& stage) {
   return fmt::format("grows in {:.3g} s of relaxation, {}then until at rest to {:g}, at most {:g} s",
                      ramp_of(scene, stage), drainage_text(stage), stage.residual, stage.max_time);
@@ -53,7 +53,7 @@ PlannedStage construction(const Case& scene, const ConstructionStage& stage) {
   return {stage.name, "construction", change_text(stage.remove, stage.place), relaxation(scene, stage)};
 }
 
-/// How long a change lasts that comes after a shaking.
+/// A text on the duration of a change after a shaking.
 std::string in_time(double ramp, double start) {
   return fmt::format("grows in {:g} s of the soil's own time, from {:g} s", ramp, start);
 }

@@ -16,7 +16,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// What a material allows, on the cells where that is least.
+/// The critical step of a material on the cells where it is smallest.
 struct Allowed {
   std::string who;
   double cell_size = 0.0;

@@ -14,20 +14,21 @@ namespace tremolo::scene {
 inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// @param directory  that the name of a curve starts from
-/// @param mesh_size  cell size for which softening shall hold, m; 0 leaves it as it is given
+/// @param mesh_size  cell size to which softening is scaled, m; 0 leaves it unscaled
 Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, double mesh_size,
                Findings& findings);
 
-/// Likewise with what a soil has in a case besides its law: pores, the coefficient at rest, damping.
+/// Reads a soil together with its properties in a case besides the law: pores, coefficient of earth pressure
+/// at rest, damping.
 Soil read_soil_of_case(NamedTable& soil, const Case& scene, Findings& findings);
 
 /// Reads soil of the Mohr-Coulomb law, with its softening for cells of `mesh_size`.
 Soil read_mohr_coulomb(const NamedTable& soil, double mesh_size, Findings& findings);
 
-/// Of PM4Sand and PDMY03.
+/// Reads a soil of PM4Sand or PDMY03.
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
 
-/// Of the Drucker-Prager law and the clay of nested surfaces.
+/// Reads a soil of the Drucker-Prager law or the clay of nested surfaces.
 Soil read_hysteretic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
 
 Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
@@ -39,7 +40,7 @@ void need(const TableReader& table, std::string_view key, Findings& findings);
 bool within(const TableReader& table, std::string_view key, const Range& range, std::string_view unit,
             Findings& findings);
 
-/// What stands for a soil that cannot be read; its errors have been reported.
+/// Placeholder for a soil that cannot be read; its errors have been reported.
 Soil placeholder(const std::string& name);
 
 /// G/Gmax and damping that a soil's `curve` names.

@@ -177,7 +177,7 @@ void read_target(const TableReader& table, Findings& findings, SoilTestFile& fil
   file.target = wanted;
 }
 
-/// What is wrong with the rows of a path; empty if nothing is.
+/// An error in the rows of a path; empty if there is none.
 std::string path_error(const SoilTestFile& file) {
   auto test = file.test;
   test.loading = soiltest::Path{.rows = {{.step = 0.0}, {.step = 1.0}}};
@@ -190,7 +190,7 @@ std::string path_error(const SoilTestFile& file) {
   }
 }
 
-/// What only the law and the whole test together can show.
+/// Checks that need both the law and the whole test.
 void check_test(const SoilTestFile& file, SoilTestUse use, Findings& findings) {
   try {
     materials::validate(file.soil.law);

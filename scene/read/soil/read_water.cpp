@@ -57,7 +57,7 @@ void refuse_two_tables(const TableReader& table, Findings& findings) {
   }
 }
 
-/// Porosity as the soil gives it, otherwise as its law has it; nothing where neither does.
+/// Porosity as the soil gives it, otherwise as its law has it; nothing if neither does.
 std::optional<double> porosity(const TableReader& table, const GroundWater& water, double grains) {
   if (const auto n = table.optional_number("porosity"))
     return n;

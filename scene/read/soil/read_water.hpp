@@ -6,7 +6,7 @@
 
 namespace tremolo::scene {
 
-/// Where the water is, of [water] or of a stage that changes it; it has no fluid yet.
+/// The position of the water, from [water] or a stage that changes it; its fluid is not set yet.
 GroundWater read_levels(const TableReader& table, Findings& findings);
 /// [water], as it is while the ground is shaken, and what it is until each construction; after the stages and
 /// before the soils.
@@ -21,7 +21,7 @@ std::optional<materials::PoreSpace> read_pores(TableReader& table, const std::op
 /// Whether none of the keys that the pores of a soil, "soil.sand", follow from has been refused.
 bool pores_are_sound(const std::string& soil, const Findings& findings);
 
-/// The void ratio that a soil's law has by its keys; nothing where it has none.
+/// The void ratio that a soil's law has by its keys; nothing if it has none.
 std::optional<double> void_ratio_of_law(const TableReader& table);
 /// The density of the saturated soil that a law has without a key, kg/m3.
 std::optional<double> saturated_density_of_law(const TableReader& table);

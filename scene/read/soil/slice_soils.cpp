@@ -35,7 +35,7 @@ struct Extent {
   }
 };
 
-/// Where the layers of one soil lie.
+/// Position of the layers of one soil.
 void add_layers(Extent& extent, std::size_t soil, const std::vector<Layer>& layers, double surface) {
   double top = surface;
   for (const Layer& layer : layers) {
@@ -47,7 +47,7 @@ void add_layers(Extent& extent, std::size_t soil, const std::vector<Layer>& laye
   }
 }
 
-/// Where a soil lies in the domain and in the free fields.
+/// Position of a soil in the domain and in the free fields.
 Extent extent_of(std::size_t soil, const Case& scene) {
   Extent extent;
   for (const Region& region : scene.regions)
@@ -217,7 +217,7 @@ private:
   Findings& findings_;
 };
 
-/// What the soils before slicing have become.
+/// The slices that each soil was divided into.
 struct Sliced {
   std::vector<Soil> soils;
   std::vector<std::size_t> first;                ///< of each former soil: index into `soils`

@@ -64,7 +64,8 @@ std::string name_of(const GroundPiece& piece, const Case& scene) {
                     : fmt::format("elastic ground of {:.4g} m/s", piece.elastic.s_wave_speed());
 }
 
-/// Where the free field of a side has another ground than the domain at x, in words, from the top down.
+/// A text on the depths at which the free field of a side has other ground than the domain at x, from the top
+/// down.
 std::vector<std::string> differences(const Case& scene, const LateralBoundary& side, double x) {
   const GroundColumn domain = ground_of_domain(scene, x);
   const GroundColumn field = ground_of_free_field(scene, side);

@@ -15,7 +15,7 @@ struct Interval {
   double high;
 };
 
-/// How far the intervals cover a line without a gap from `start` on.
+/// End of the part of a line, from `start`, that the intervals cover without a gap.
 double covered_from(double start, std::vector<Interval> intervals, double tolerance) {
   std::ranges::sort(intervals, {}, &Interval::low);
   double end = start;

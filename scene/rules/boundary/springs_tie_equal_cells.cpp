@@ -17,7 +17,7 @@ struct SideCell {
   friend bool operator==(const SideCell&, const SideCell&) = default;
 };
 
-/// Those along the left edge of the model, or the right one, that hold soil, upwards.
+/// The cells with soil along the left or the right edge of the model, from the bottom up.
 std::vector<SideCell> cells_along(const mesh::Quadtree& tree, const Box& model, bool right, double surface) {
   const double tolerance = 1e-6 * tree.size(0);
   const double edge = right ? model.x_max : model.x_min;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the rules of linings share.
+// Functions shared by the rules of linings.
 
 #include "scene/case.hpp"
 #include "scene/text/findings.hpp"
@@ -9,7 +9,7 @@
 
 namespace tremolo::scene {
 
-/// Where a lining's outer face stands: "lining[0].polygon", "lining[0].circle".
+/// Path of a lining's outer face: "lining[0].polygon", "lining[0].circle".
 std::string outline_path(const Lining& lining);
 
 /// Whether a lining has an outer face in which nothing is wrong.

@@ -14,7 +14,7 @@ namespace {
 /// Velocity over its peak that changes no result where it is missing, 1.
 constexpr double negligible_velocity = 1e-3;
 
-/// What arrives before the start of its stage, s and 1.
+/// The part of a wave that arrives before the start of its stage, s and 1.
 struct Early {
   double by = 0.0;    ///< how long before, of all that is not negligible, s
   double share = 0.0; ///< its largest velocity over that of the motion, 1

@@ -10,7 +10,7 @@ bool in_soil(const Case& scene, Point p);
 /// The structure strictly within whose outline p lies; nullptr where none is.
 const Structure* structure_around(const Case& scene, Point p);
 
-/// Likewise the lining.
+/// The lining around a point, if any.
 const Lining* lining_around(const Case& scene, Point p);
 
 } // namespace tremolo::scene

@@ -10,7 +10,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// What Open MPI takes for a node: `user@node` and `[fd00::1]` are none.
+/// Whether Open MPI accepts a text as the name of a node: it refuses `user@node` and `[fd00::1]`.
 bool names_a_machine(const std::string& text) {
   constexpr std::string_view alone = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   return !text.empty() && alone.find(text.front()) != std::string_view::npos &&

@@ -1,4 +1,4 @@
-// What bends needs about four cells over its thickness (docs/structures.md).
+// A bending member needs about four cells over its thickness (docs/structures.md).
 
 #include "scene/plan/section/section_cuts.hpp"
 #include "scene/plan/structures.hpp"

@@ -32,7 +32,7 @@ struct DampedTimes {
   double difference = 0.0; ///< sum of the differences, of whatever sign, at all levels
 };
 
-/// What lies at a level of a side's free field.
+/// The material at a level of a side's free field.
 Layer layer_at(const Case& scene, const LateralBoundary& side, double y) {
   double bottom = side.surface;
   for (const Layer& layer : layers(scene, side))

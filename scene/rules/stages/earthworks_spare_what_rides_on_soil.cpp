@@ -14,7 +14,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// What lies in a region, in words; empty: nothing does.
+/// A text on the item that lies in a region; empty if there is none.
 std::string rider_in(const Case& scene, const Region& region) {
   for (const Monitor& monitor : scene.monitors)
     if (!monitor.structure && contains(region.polygon, monitor.point))

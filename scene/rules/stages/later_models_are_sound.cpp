@@ -1,4 +1,4 @@
-// What stands after an earthwork must be as sound as what the ground is shaken with.
+// The model after an earthwork must satisfy the same checks as the one that is shaken.
 
 #include "scene/plan/stages/stages.hpp"
 #include "scene/rules/rules.hpp"

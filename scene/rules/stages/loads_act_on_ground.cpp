@@ -1,5 +1,5 @@
-// What carries a load is the uppermost soil between its ends, where no structure stands. A free field does
-// not know the load, so that it must not reach a side that one drives.
+// A load acts on the uppermost soil between its ends, where there must be no structure. Free fields do not
+// contain the load, so that it must not reach a side that is driven by one.
 
 #include "scene/rules/rules.hpp"
 #include "scene/soils/ground_column.hpp"
@@ -62,7 +62,7 @@ std::string reached_side(const Case& scene, const LoadStage& load) {
   return load.x_max > box.x_max - near ? "right" : "";
 }
 
-/// From its left end to its right one, m.
+/// The interval from its left end to its right one, m.
 std::pair<double, double> extent(const Structure& structure) {
   const auto [left, right] = std::ranges::minmax(structure.outline.corners, {}, &Point::x);
   return {left.x, right.x};

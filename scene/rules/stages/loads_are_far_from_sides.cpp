@@ -12,7 +12,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// From an end of a load to a side, in widths of the load.
+/// Recommended distance from an end of a load to a side, in widths of the load.
 constexpr double wanted_widths = 2.0;
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the rules of structures share.
+// Functions shared by the rules of structures.
 
 #include "scene/case.hpp"
 #include "scene/text/findings.hpp"
@@ -9,7 +9,7 @@
 
 namespace tremolo::scene {
 
-/// Where a structure's outline stands: "structure[0].polygon", "structure[0].circle".
+/// Path of a structure's outline: "structure[0].polygon", "structure[0].circle".
 std::string outline_path(const Case& scene, std::size_t structure);
 
 /// Whether a structure has an outline in which nothing is wrong.

@@ -9,7 +9,7 @@ namespace tremolo::scene {
 
 namespace {
 
-/// From the middle of what settles to each side, in depths of the model.
+/// Recommended distance from the middle of the settling structures to each side, in depths of the model.
 constexpr double wanted_depths = 4.0;
 
 } // namespace

@@ -21,7 +21,7 @@ bool meet(const Polygon& one, const Polygon& other) {
   return corner_in(one, other) || corner_in(other, one);
 }
 
-/// Which structures touch soil, and which stand on others that do.
+/// For each structure, whether it touches soil or stands on one that does.
 std::vector<bool> structures_with_support(const Case& scene) {
   std::vector<bool> supported;
   for (std::size_t i = 0; i < scene.structures.size(); ++i)

@@ -1,4 +1,4 @@
-// What the flow through a domain asks of a case (mpm_domain/head/seepage_of_ground.hpp).
+// Conditions that the flow through a domain imposes on a case (mpm_domain/head/seepage_of_ground.hpp).
 
 #include "scene/rules/rules.hpp"
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double largest_slow_wave = 0.1;
 /// m/s; beyond it the drag that takes the velocity of water relative to the grains needs more than 2 ms.
 constexpr double largest_permeability = 1e-2;
-/// How many of the periods in which pressure rings the factor must take to rise.
+/// The time factor must rise over at least this many natural periods of the pore pressure.
 constexpr double periods_to_rise = 20.0;
 
 } // namespace

@@ -5,8 +5,8 @@
 
 namespace tremolo::scene {
 
-/// Where K_f/n is below the modulus of the skeleton, grains carry most of what water should: so much air
-/// leaves no soil to liquefy.
+/// If K_f/n is below the modulus of the skeleton, the grains carry most of the load that the water should:
+/// soil with so much air does not liquefy.
 void water_is_stiffer_than_skeleton(const Case& scene, Findings& findings) {
   constexpr double kilo = 1e3;
   for (const Soil& soil : soils_below_table(scene)) {
