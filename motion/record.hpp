@@ -97,7 +97,7 @@ struct Origin {
 /// Samples at 0, dt, 2 dt, ...
 struct Record {
   Unit unit = Unit::m_s2;
-  std::optional<MotionKind> kind = std::nullopt; ///< nothing where nobody has said
+  std::optional<MotionKind> kind = std::nullopt; ///< empty if nobody has stated it
   double dt = 0.0;                               ///< s
   std::vector<double> samples = {};              ///< in `unit`
   /// The unit stated by the file, if the caller of the reader overrode it.

@@ -145,7 +145,7 @@ struct Ground {
   int clock_of_block(std::size_t block) const {
     return static_cast<int>(block % block_count() / tiles.count());
   }
-  /// How many rows of nodes all lattices have together.
+  /// Number of node rows of all lattices together.
   std::size_t row_count() const;
   /// The nodes of one of these rows, counted lattice after lattice.
   NodeRange row(std::size_t row) const;
@@ -153,13 +153,13 @@ struct Ground {
   const Prolongation& ties() const { return mesh ? mesh->prolongation() : images; }
   /// Whether this rank computes structures, linings, props and surface loads: the first rank does.
   bool has_structures_here() const;
-  /// Where a node stands.
+  /// Position of a node.
   NodePlace place_of(std::size_t node) const;
   /// Whether nodes of one row and one tile count here, not on another rank.
   bool counts(const NodeRange& nodes) const;
-  /// How far particles may move from one sort to the next, m.
+  /// Largest motion of a particle allowed between two sorts, m.
   double sort_distance() const;
-  /// How far from a structure soil may lie that comes to touch it before the next sort, m: particles reach
+  /// Largest distance from a structure at which soil may touch it before the next sort, m: particles reach
   /// two cells, and both they and the structure move.
   double reach_of_structures() const;
   double fastest_wave(); ///< largest c_p of the particles in their present stress, m/s
@@ -199,7 +199,7 @@ void follow_clock(Ground& ground, double time);
 /// and the grid's fields zero. Which soil is wet stays as it was at the start.
 void take_head(Ground& ground, Head head);
 
-/// How often a step of clock 0 moves a particle, added up over the particles of all ranks.
+/// Particle updates in a step of clock 0, summed over the particles of all ranks.
 double particle_updates_per_step(const Ground& ground);
 
 } // namespace tremolo::mpm_domain

@@ -1,8 +1,8 @@
 #pragma once
 
-// What a domain remembers from step to step, for checkpoints. A domain that was built from the same spec and
-// is given this state goes on with the same bits. The grid is not part of it: every step makes it anew from
-// the particles; only its extent is, since it may have grown.
+// The state of a domain between steps, for checkpoints. A domain that is built from the same spec and
+// restored from this state continues with the same bits. Grid values are not part of it, since every step
+// computes them from the particles; the grid's extent is, since it may have grown.
 //
 // fields/saved_numbers.hpp says what a Writer and a Reader are.
 

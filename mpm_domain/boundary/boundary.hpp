@@ -54,39 +54,40 @@ public:
 
   /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
   void follow_sort(const Ground& ground);
-  /// Where ranks share the domain: the nodes that faces may touch until the next sort, whose sums each rank
-  /// gets.
+  /// The nodes that faces may touch until the next sort, if ranks share the domain: each rank receives their
+  /// sums.
   std::span<const std::size_t> shared_nodes() const { return soil_.shared_nodes(); }
 
   /// The passes of a step. After a scatter: reads the soil at the faces.
   void read_soil(Ground& ground) { soil_.read(ground, faces_); }
-  /// At the first tick: velocities of the faces, free field, and Eq. (6). Supports go on with it one by one.
+  /// At the first tick: finds the velocities of the faces and the free field and evaluates Eq. (6), then
+  /// advances the supports one by one.
   void exchange(Step& step, const FreeFieldSource& source);
   void exchange(Step& step, Support& support);
-  /// At every tick: adds what the faces that are due exert to the nodes' forces and dashpots.
+  /// At every tick: adds the forces and dashpots of the faces that are due to the nodes.
   void apply(Step& step);
   /// After the update: the work of the boundary by its parts, the same on all ranks.
   BoundaryWork follow_update(Step& step);
   /// Leaves the boundary's forces out of the power that the remapped velocity makes.
   void take_off_remap_power(Step& step, int clock) const { forces_.take_off_remap_power(step, clock); }
 
-  /// What the last exchange found per face: v^m (m/s) and the free field.
+  /// Results of the last exchange, by face: v^m (m/s) and the free field.
   std::span<const Vector> velocities() const { return motion_.seen(); }
   std::span<const eq6::FreeField> free_field() const { return std::span(free_field_).first(faces_.size()); }
-  /// By face, where there is pore water or where ranks share the domain; else empty.
+  /// The soil at each face if there is pore water or if ranks share the domain; else empty.
   std::span<const FaceSoil> soil() const { return soil_.all(); }
   /// Where there is pore water.
   const LeaningSides& lean() const { return lean_; }
   /// W of a face's nodes in its present step.
   std::span<const FaceWeight> weights(std::size_t face) const { return motion_.weights()[face]; }
-  /// What the boundary exerts at a face as of the start of its last step, Pa.
+  /// Traction of the boundary on a face at the start of its last step, Pa.
   Vector traction(std::size_t face) const;
 
   const FaceSupports& supports() const { return supports_; }
   /// Motion of a rigid base half a step before the end of the step just made; at rest where there is none.
   BaseMotion base_motion() const;
 
-  /// What a checkpoint keeps between steps (state.hpp).
+  /// State that a checkpoint stores between steps (state.hpp).
   template <class Writer>
   void save(Writer& to) const {
     std::vector<double> levels;

@@ -35,7 +35,8 @@ Linear linear_weights(double x, double origin, double h) {
   return {at.base, Lanes{at.w[0], at.w[1], 0.0, 0.0}, Lanes{}};
 }
 
-/// What lies behind a face: the ground below the base, or else the particle's own soil in its stress.
+/// Impedances of the ground behind a face: those of the ground below the base, or else of the particle's own
+/// soil in its present stress.
 Impedances ground_of(Side side, const Spec& spec, Particles& set, std::size_t k) {
   if (side == Side::base && spec.below_base) {
     const materials::Elasticity& ground = *spec.below_base;

@@ -48,7 +48,7 @@ struct BoundaryFace {
 
   static constexpr int unknown = -1; ///< or several
 
-  /// As Eq. (6) sees it: the dashpots that stand there, if any do.
+  /// The face with the dashpots of Eq. (6), or without any if a support replaces them.
   eq6::Face dashpots() const { return behind.has_dashpots ? ground : eq6::Face{ground.normal, 0.0, 0.0}; }
 };
 
@@ -79,7 +79,7 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
 /// The level of a face whose way until the next sort keeps it on one lattice; otherwise unknown.
 int level_of(const Ground& ground, const BoundaryFace& face);
 
-/// Where the particle of a face is, and half the sides of its box, m.
+/// Position of a face's particle, and half the sides of its box, m.
 struct FacePlace {
   Vector centre;
   Vector half;
@@ -99,8 +99,8 @@ FaceSoil soil_at(const BoundaryFace& face, const Particles& set);
 /// The side of its particle's box that a face covers: a line.
 mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place);
 
-/// How far soil may go: where a side has faces, overflow_cells (particles/grid_growth.hpp) beyond the
-/// outermost.
+/// Limits on the positions of soil: at a side with faces, overflow_cells (particles/grid_growth.hpp) beyond
+/// the outermost face.
 Box soil_limits(const Ground& ground, std::span<const BoundaryFace> faces);
 
 /// Weights of a face with its particle at a place, or at its present one, of nodes that are not tied.

@@ -1,7 +1,7 @@
 #pragma once
 
-// What faces exert, spread over their nodes, and its work. With t^vis, t^dyn and t^st of Eq. (6) and what
-// supports add (support.hpp), a face of length l gives a node
+// Forces of the faces on their nodes, and the work of these forces. With t^vis, t^dyn and t^st of Eq. (6) and
+// what supports add (support.hpp), a face of length l gives a node
 //
 //     f_i = l W_i (t^vis + t^dyn + t^spr + t^own + t^driven + t^st),      C_i = l W_i Z,
 //
@@ -38,7 +38,7 @@ struct BoundaryWork {
   }
 };
 
-/// What acts at the faces in their present steps, by face.
+/// Tractions on the faces in their present steps, by face.
 struct FaceLoads {
   std::span<const BoundaryFace> faces;
   const FaceMotion& motion;
@@ -64,7 +64,7 @@ public:
   void take_off_remap_power(Step& step, int clock) const;
 
 private:
-  /// What a face gives to its nodes of a clock, before it is shared out by their weights.
+  /// Load of a face on its nodes of one clock, before it is distributed by their weights.
   struct Load {
     Vector force;   ///< N/m
     Vector dashpot; ///< Pa s

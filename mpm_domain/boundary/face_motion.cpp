@@ -22,8 +22,8 @@ Vector sum_over(const FaceWeights& weights, const OfNode& of_node) {
   return sum;
 }
 
-/// Where water flows, dashpots see grains and water together, which the implicit half of the dashpots acts on
-/// too (water/mixture_kick.hpp): a dashpot that saw the grains alone could bring in energy.
+/// Where water flows, dashpots act on the velocity of grains and water together, as does their implicit half
+/// (water/mixture_kick.hpp): a dashpot on the grains alone could add energy.
 Vector velocity_at(const Grid& grid, const FaceWeights& weights) {
   return sum_over(weights, [&](std::size_t node) { return grid.mixture_before(node); });
 }

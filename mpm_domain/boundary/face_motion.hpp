@@ -1,6 +1,6 @@
 #pragma once
 
-// How the ground moves at the faces, and which nodes they touch.
+// Motion of the ground at the faces, and the nodes that they touch.
 //
 // Dashpots follow each face's clock, the slowest among its nodes: at a node of fine cells the damping of a
 // whole coarse step would be past its limit.
@@ -26,7 +26,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What dashpots see of v- after a step that ended with v+ (see above), m/s.
+/// The velocity v- as dashpots use it after a step that ended with v+ (see above), m/s.
 inline Vector without_residual(Vector before, Vector last_after) {
   return {before.x - 0.5 * (last_after.x - before.x), before.y - 0.5 * (last_after.y - before.y)};
 }
@@ -36,16 +36,16 @@ public:
   FaceMotion() = default;
   explicit FaceMotion(std::size_t faces);
 
-  /// At the first tick of a step: weights and clock of each face, and v^m for the exchange.
+  /// At the first tick of a step: finds weights and clock of each face, and v^m for the exchange.
   /// @param soil  by face; empty where the places of dry particles are read
   void begin_step(Step& step, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil);
-  /// At a later one: weights and v^m of the faces that are due.
+  /// At a later tick: finds weights and v^m of the faces that are due.
   void go_on(Step& step, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil);
   /// After the update of the nodes, where there is water.
   void see_kick(const Grid& grid);
 
-  /// By face: v^m as dashpots see it at the last exchange, and its mean over the ticks since the one before;
-  /// that mean of v- itself. m/s
+  /// By face, m/s: v^m as the dashpots used it at the last exchange, its mean over the ticks since the
+  /// exchange before, and that mean of v- itself.
   std::span<const Vector> seen() const { return seen_; }
   std::span<const Vector> seen_mean() const { return seen_mean_; }
   std::span<const Vector> mean() const { return mean_; }
@@ -57,7 +57,7 @@ public:
   /// Whether a step of the face begins with this tick.
   bool is_due(const Ticks& ticks, std::size_t face) const { return clock_[face] >= ticks.first_due(); }
 
-  /// What a checkpoint keeps between steps (state.hpp).
+  /// State that a checkpoint stores between steps (state.hpp).
   template <class Writer>
   void save(Writer& to) const {
     to.write("faces.step_sums", step_sums_);

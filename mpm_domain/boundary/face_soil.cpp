@@ -25,7 +25,7 @@ std::vector<int> owners_of_faces(const Ground& ground, std::span<const BoundaryF
   return {owner.begin(), owner.end()};
 }
 
-/// What ranks share of the soil at faces.
+/// The properties of the soil at faces that ranks exchange.
 auto shared_soil(const Ground& ground, std::span<const BoundaryFace> faces, const SharedList& list,
                  std::span<FaceSoil> soil) {
   return SharedRows{&list, 8,

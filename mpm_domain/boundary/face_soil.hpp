@@ -27,7 +27,7 @@ public:
   /// needs of its faces: nothing is read where no ranks share it.
   void read(Ground& ground, std::span<BoundaryFace> faces);
 
-  /// By face, where there is pore water or where ranks share the domain; else empty.
+  /// The soil at each face if there is pore water or if ranks share the domain; else empty.
   std::span<const FaceSoil> all() const { return soil_; }
   /// Rising; none without ranks.
   std::span<const std::size_t> shared_nodes() const { return nodes_; }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What stands behind faces of the domain, in place of the dashpots of Eq. (6) or beside them: it takes up the
-// waves that the domain scatters, or holds what comes to bear on the ground beyond. supports.cpp lists the
+// A support behind faces of the domain, replacing or supplementing the dashpots of Eq. (6): it absorbs the
+// waves that the domain scatters, or carries static loads into the ground beyond. supports.cpp lists the
 // kinds that there are. One is made for a domain at rest, claims its faces, and from then on is moved by each
 // exchange of the free field and exerts tractions,
 //
@@ -37,7 +37,7 @@ struct Exchange {
   std::span<eq6::FreeField> field;
 };
 
-/// What supports exert on a face, Pa.
+/// Tractions of supports on a face, Pa.
 struct SupportLoad {
   Vector own, driven, spring;
   Vector far_end; ///< velocity of the far ends of springs, m/s
@@ -61,7 +61,7 @@ public:
   virtual void follow_sort(const Ground&) {}
   /// Goes on to the time of an exchange, and leaves what it exerts from then on.
   virtual void exchange(const Exchange& at, std::span<SupportLoad> loads) = 0;
-  /// What its springs have taken up from the last exchange to this one, J/m.
+  /// Energy that its springs have absorbed since the last exchange, J/m.
   virtual double work() const { return 0.0; }
   /// The passes of whatever else it does in a step.
   virtual std::vector<Pass> passes(Ground&) { return {}; }

@@ -22,7 +22,8 @@ std::unique_ptr<Support> make(const Ground& ground, std::span<BoundaryFace> face
   return std::make_unique<Made>(ground, faces);
 }
 
-/// In the order in which they claim faces: springs stand beside dashpots, which closing elements replace.
+/// The kinds in the order in which they claim faces: springs supplement dashpots, closing elements replace
+/// them.
 constexpr Kind kinds[]{
     {make<RigidBase>, [](const Spec& spec) { return spec.rigid_base; }},
     {make<MatchedLayers>, [](const Spec& spec) { return !spec.matched_sides.empty(); }},

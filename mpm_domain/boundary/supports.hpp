@@ -8,7 +8,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// All that stands behind the faces of a domain.
+/// All supports behind the faces of a domain.
 class FaceSupports {
 public:
   FaceSupports() = default;
@@ -29,12 +29,12 @@ public:
   void follow_sort(const Ground& ground);
   /// One of them goes on to the time of an exchange.
   void exchange(Support& support, const Exchange& at) { support.exchange(at, loads_); }
-  /// By face, as of the last exchange; none without any support.
+  /// Loads by face at the last exchange; empty without supports.
   std::span<const SupportLoad> loads() const { return loads_; }
-  /// What all have taken up from the last exchange to this one, J/m.
+  /// Energy that all supports have absorbed since the last exchange, J/m.
   double work() const;
 
-  /// What a checkpoint keeps between steps (state.hpp).
+  /// State that a checkpoint stores between steps (state.hpp).
   template <class Writer>
   void save(Writer& to) const {
     for (const auto& support : all_)

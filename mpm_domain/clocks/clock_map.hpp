@@ -1,7 +1,7 @@
 #pragma once
 
-// Which step a particle takes where levels have steps of their own: clock r ticks every dt_0/2^r. A particle
-// takes the clock of the level of its cell, or a faster one near finer cells: within two cells of level r - 1
+// Assigns each particle its step when every level has its own: clock r ticks every dt_0/2^r. A particle takes
+// the clock of the level of its cell, or a faster one near finer cells: within two cells of level r - 1
 // around cells of level r all particles run on clock r. Without this buffer the forces of the slow clock, an
 // impulse every other step, are in resonance with the fastest motion of the fine cells long before their own
 // limit (measured in tests/stability/mpm_domain/subcycling_test.cpp).

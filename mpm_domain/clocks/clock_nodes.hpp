@@ -1,8 +1,8 @@
 #pragma once
 
-// Which nodes move on which clock. A node belongs to the fastest clock among the particles that touch it,
-// directly or through a tie: slower particles give it mass and an impulse now and then, and between their
-// steps read it as a mean. With one clock all nodes that soil may touch are its own.
+// Assigns nodes to clocks. A node belongs to the fastest clock among the particles that touch it, directly or
+// through a tie: slower particles give it mass and an impulse now and then, and between their steps read it
+// as a mean. With one clock all nodes that soil may touch are its own.
 
 #include "mpm_domain/fields/saved_numbers.hpp"
 #include "mpm_domain/ground.hpp"
@@ -31,7 +31,7 @@ public:
   int clock_of(std::size_t node) const { return one_clock() ? 0 : static_cast<int>(clock_[node]) - 1; }
   bool one_clock() const { return clock_.empty(); }
 
-  /// What a checkpoint keeps (state.hpp).
+  /// State that a checkpoint stores (state.hpp).
   template <class Writer>
   void save(Writer& to) const {
     write_integers(to, "clock_nodes.clock", clock_);

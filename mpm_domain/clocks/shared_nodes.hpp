@@ -58,10 +58,10 @@ public:
   /// take their half of them.
   void take_mean(int clock);
   void add_mean(int clock);
-  /// For output: accelerations over the step of the slowest particles that share a node.
+  /// Computes, for output, accelerations averaged over the step of the slowest particles that share a node.
   void mean_accelerations();
 
-  /// What a checkpoint keeps between steps (state.hpp).
+  /// State that a checkpoint stores between steps (state.hpp).
   template <class Writer>
   void save(Writer& to) const {
     to.write("shared_nodes.steady_known", std::vector<double>{steady_known_ ? 1.0 : 0.0});

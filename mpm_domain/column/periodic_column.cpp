@@ -231,7 +231,8 @@ void PeriodicColumn::record_deformation() {
   }
 }
 
-/// At the faces of the base, at the particles' rows, and at the surface, as side faces of a domain would.
+/// Samples at the faces of the base, at the rows of particles and at the surface, as side faces of a domain
+/// would.
 template <typename OfNode>
 void PeriodicColumn::sample_nodes(std::vector<Vector>& v, const OfNode& of_node) const {
   const Grid& grid = domain_.grid;

@@ -63,7 +63,7 @@ public:
   const EnergyLedger& energy() const { return domain_.energy; }
 
 private:
-  /// What a row's particle carries.
+  /// State of a row's particle.
   struct Row {
     eq6::Stress stress; ///< of law, viscous damping and excess pore pressure
     Vector displacement;

@@ -1,10 +1,10 @@
-// Where nodes bear on a rigid body. The impulse at a node stands for the traction on the piece of surface
-// around it, of which the node itself lies up to a cell off: beside the surface, or beyond its end. A body
-// that began to tilt would turn about that place, as if it were larger than it is, and one that rolls would
-// have as many radii as nodes. So the arm of a node ends on the surface: at the point next to the node along
-// its normal, and at a toe, a corner that sticks out, where the node lies beyond it. The nodes that are left
-// when a body stands on its edge bear at the toe too, wherever the grid lies: of those on each side of a toe
-// the nearest does, if it is less than a cell away.
+// Points at which nodes bear on a rigid body. The impulse at a node stands for the traction on the piece of
+// surface around it, of which the node itself lies up to a cell off: beside the surface, or beyond its end. A
+// body that began to tilt would turn about that place, as if it were larger than it is, and one that rolls
+// would have as many radii as nodes. So the arm of a node ends on the surface: at the point next to the node
+// along its normal, and at a toe, a corner that sticks out, where the node lies beyond it. The nodes that are
+// left when a body stands on its edge bear at the toe too, wherever the grid lies: of those on each side of a
+// toe the nearest does, if it is less than a cell away.
 //
 // Momentum is exact. The soil takes the impulse at the node: angular momentum changes by impulse times the
 // distance between both places.

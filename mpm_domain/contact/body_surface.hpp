@@ -68,7 +68,7 @@ private:
   std::size_t nearest_edge(const Vector& place) const;
 
   std::vector<Point> kinds_;
-  // All that follows moves with the points:
+  // These quantities move with the points:
   std::vector<Vector> points_;
   std::vector<Vector> normals_; ///< of the edge that ends at a point, out of the body
   std::vector<FourEdges> edges_;

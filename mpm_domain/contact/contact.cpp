@@ -270,7 +270,8 @@ ContactWork Contact::meet(Ground& ground, double dt) {
   return work;
 }
 
-/// What impulses, weight and loads do to a body; of an elastic one the grid has booked the last two.
+/// Work of impulses, weight and loads on a body; for an elastic body the grid has already booked the last
+/// two.
 ContactWork Contact::book_body(const Grid& grid, std::size_t body, const RigidMotion& middle,
                                double dt) const {
   ContactWork work;

@@ -33,7 +33,7 @@ struct Ground;
 struct Grid;
 struct Spec;
 
-/// What contact and the bodies change of the energy in a step, J/m.
+/// Changes of energy by contact and the bodies in a step, J/m.
 struct ContactWork {
   double kinetic = 0.0;  ///< of the soil's nodes
   double gravity = 0.0;  ///< work of weight and buoyancy on bodies, and on what contact changes of the soil
@@ -56,7 +56,7 @@ public:
   explicit Contact(const Spec& spec);
 
   bool any() const { return !bodies_.empty(); }
-  /// By structure: place and motion, of elastic bodies as a whole.
+  /// Position and motion by structure; elastic bodies as a whole.
   std::span<const RigidBody> bodies() const { return bodies_; }
   bool is_elastic(std::size_t body) const { return elastic_[body].has_value(); }
   /// An elastic body; null: it is rigid.
@@ -67,7 +67,7 @@ public:
   const std::vector<ContactNode>& nodes(std::size_t body) const { return nodes_[body].nodes(); }
   BodyForces forces(std::size_t body) const;
   double kinetic_energy() const; ///< of the rigid bodies, J/m
-  /// All that acts on a rigid body beside contact.
+  /// All loads on a rigid body except contact.
   RigidLoad load(std::size_t body) const;
   /// Speed of the fastest point of all surfaces, those of elastic bodies moving as a whole, m/s.
   double fastest_point() const;
@@ -129,7 +129,7 @@ public:
   /// Lets the elastic bodies follow their particles.
   void follow_particles(const Ground& ground);
 
-  /// What a checkpoint keeps (state.hpp).
+  /// State that a checkpoint stores (state.hpp).
   template <class Writer>
   void save(Writer& to) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {

@@ -1,7 +1,8 @@
 #pragma once
 
-// What contact and output know of an elastic body besides its particles: its surface, which goes with them,
-// and its motion as a whole. With X_p, x_p places at the start and now, measured from the centroids X_c, x_c,
+// Properties of an elastic body, for contact and output, besides its particles: its surface, which moves with
+// them, and its motion as a whole. With X_p, x_p places at the start and now, measured from the centroids
+// X_c, x_c,
 //
 //     x_c = sum m x / M,    V = sum m v / M,    omega = sum m (x_p cross (v_p - V)) / sum m |x_p|^2,
 //     tan theta = sum m X_p cross x_p / sum m X_p . x_p,
@@ -52,7 +53,7 @@ private:
 
   /// The particles next to points at the start.
   static std::vector<Follower> followers(std::span<const Vector> points, std::span<const Particles> sets);
-  /// Where they are after a rotation by an angle (rad).
+  /// Their positions after a rotation by an angle (rad).
   static std::vector<Vector> places(std::span<const Follower> followers, std::span<const Particles> sets,
                                     double angle);
 

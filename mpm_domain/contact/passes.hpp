@@ -1,14 +1,14 @@
 #pragma once
 
-// What structures do in a step:
+// Passes of structures in a step:
 //
 //   contact:  impulses change v+ of the nodes and of the bodies (contact.hpp)
-//   remap:    the same impulses take off u what would drive soil into bodies (musl)
+//   remap:    these impulses remove from u the part that drives soil into bodies (musl)
 //   bodies:   x += dt v+
 //
-// What contact takes off u strains no soil, but the next step begins with it, v- being what the particles
-// have: the other half of its power (step/node_passes.hpp) belongs to that step, and is booked here with the
-// stresses of this one. Structures have one clock.
+// The part of u that contact removes strains no soil, but the next step still begins with it, since v- is
+// computed from the particles: the other half of its power (step/node_passes.hpp) belongs to that step, and
+// is booked here with the stresses of this one. Structures have one clock.
 
 #include "mpm_domain/passes/pass.hpp"
 

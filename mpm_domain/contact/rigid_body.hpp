@@ -52,7 +52,7 @@ struct WaterAround {
 
 class RigidBody {
 public:
-  /// At rest where the structure stands.
+  /// Creates the body at rest at the structure's position.
   /// @throws std::invalid_argument for an outline without area, or a density that is not positive
   explicit RigidBody(const Structure& structure);
 
@@ -61,7 +61,7 @@ public:
   double inertia() const { return inertia_; } ///< I, kg m
   const Vector& centre() const { return centre_; }
   double tilt() const { return tilt_; } ///< theta, counter-clockwise, rad
-  /// Where the centre of mass stood at the start, m.
+  /// Initial position of the centre of mass, m.
   const Vector& start() const { return start_; }
   const RigidMotion& motion() const { return motion_; }
   void set_motion(const RigidMotion& motion) { motion_ = motion; }

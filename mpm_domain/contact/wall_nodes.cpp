@@ -7,7 +7,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Where a coordinate that goes from a to b, in cells, crosses lines of the lattice, as shares of the way.
+/// Fractions of the way from a to b, in cells, at which a coordinate crosses lines of the lattice.
 void add_crossings(double a, double b, std::vector<double>& shares) {
   const auto first = static_cast<int>(std::floor(std::min(a, b))) + 1;
   for (int line = first; line < std::max(a, b); ++line)
@@ -37,7 +37,7 @@ void find_wall(const BodySurface& surface, const Lattice& lattice, const NodeWin
   const std::vector<Vector>& outline = surface.points();
   std::vector<double> cuts;
   for (std::size_t k = 0, before = outline.size() - 1; k < outline.size(); before = k++) {
-    // In cells from node (0, 0).
+    // Positions are in cells from node (0, 0).
     const Vector a{(outline[before].x - lattice.x0) / lattice.h,
                    (outline[before].y - lattice.y0) / lattice.h};
     const Vector b{(outline[k].x - lattice.x0) / lattice.h, (outline[k].y - lattice.y0) / lattice.h};

@@ -42,7 +42,7 @@ public:
   /// @param order  brings particles into the order of their places, and lets all that follow it
   void begin(Ground& ground, const std::function<void()>& order);
 
-  /// What the nodes lack still.
+  /// Forces that the nodes still lack.
   const HeldForces& held() const { return held_; }
   /// The share of it that acts at a time of the simulation (s), 1; 0 when the change is there.
   double share_held(const Ground& ground, double time) const;

@@ -23,7 +23,7 @@ namespace tremolo::mpm_domain {
 /// Level, and cells to the right of and above the corner of the model.
 using PlaceInModel = std::array<int, 3>;
 
-/// What a node has of the particles.
+/// Force and mass that the particles give to a node.
 struct NodeLoad {
   double mass = 0.0; ///< kg/m
   Vector force;      ///< weight included, N/m
@@ -45,7 +45,7 @@ public:
   /// W/m.
   double remap_power(const Ground& ground, double share) const;
 
-  /// For a checkpoint, and back.
+  /// State for a checkpoint, and its restoration.
   std::vector<double> state() const;
   void set_state(const std::vector<double>& state);
 

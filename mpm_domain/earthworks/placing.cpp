@@ -50,7 +50,7 @@ Occupied places_of(const Ground& ground) {
   return occupied;
 }
 
-/// How far soil has gone down at most, m.
+/// Largest settlement of the soil, m.
 double largest_settlement(const Ground& ground) {
   double largest = 0.0;
   for (const Particles& set : ground.sets_of_soil())
@@ -80,7 +80,8 @@ struct Candidate {
   std::size_t k;
 };
 
-/// Which particles are laid: those of the polygon where no ground is, and those that fill a gap under it.
+/// The particles to be placed: those of the polygon where there is no ground, and those that fill a gap under
+/// it.
 std::vector<Candidate> laid(const std::vector<Particles>& fill, const Region& region, Occupied occupied) {
   std::vector<Candidate> laid;
   std::vector<Candidate> under;

@@ -1,8 +1,8 @@
 #pragma once
 
-// What every node of the grid carries, one array a quantity. A pass names the group of fields that it works
-// on; clearing, folding of tied nodes, resizing and checkpoints run over a group and never over a list of
-// their own.
+// Quantities at the nodes of the grid, one array each. A pass names the group of fields that it works on;
+// clearing, folding of tied nodes, resizing and checkpoints run over a group and never over a list of their
+// own.
 
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace tremolo::mpm_domain {
 /// One double a node, row after row, lattice after lattice.
 using NodeField = std::vector<double>;
 
-/// How the values of a group come about.
+/// The way in which the values of a group are computed.
 enum class NodeGroup {
   mass,           ///< summed over particles, while they stay where they are
   momentum,       ///< summed over particles
@@ -36,7 +36,7 @@ enum class NodeGroup {
   seepage,        ///< summed over particles under water whose head varies
 };
 
-/// Which domains have a group.
+/// The domains that have a group.
 enum class NodeTrait {
   always,
   wet,     ///< with soil below the water table
@@ -222,7 +222,7 @@ constexpr SumRange sums_between(Sum first, Sum last) {
 /// The sums that particles above the water table have.
 inline constexpr SumRange dry_sums = sums_between(Sum::mass, Sum::force_y);
 
-/// What a scatter of soil with these traits sums up: soil, then what its water adds.
+/// The sums of a scatter of soil with these traits: those of the soil, then those of its water.
 constexpr std::array<SumRange, 2> scattered_sums(NodeTraits traits) {
   const SumRange of_water = traits.flowing ? sums_between(Sum::water_mass, Sum::pore_volume)
                                            : sums_between(Sum::lift, Sum::pore_volume);

@@ -11,7 +11,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Which sets of particles have a field.
+/// The sets of particles that have a field.
 enum class FieldTrait {
   always,
   affine,    ///< with the transfer apic
@@ -24,7 +24,7 @@ enum class FieldTrait {
   seeping, ///< under water whose head varies
 };
 
-/// What becomes of a field when a particle is cut in four.
+/// Treatment of a field when a particle is split into four.
 enum class OnCut {
   shared, ///< a quarter each
   copied,
@@ -74,8 +74,8 @@ struct ParticleFieldDescription {
 /// The fields that particles have by themselves.
 const std::vector<ParticleFieldDescription>& particle_field_table();
 
-/// What particles of soil with constant damping remember besides: the stress of each mechanism, xx, yy and
-/// xy. They are fields of ParticleFields::more.
+/// Additional fields of particles with constant damping: the stress of each mechanism, xx, yy and xy, kept in
+/// ParticleFields::more.
 std::vector<ParticleFieldDescription> relaxation_fields(std::size_t mechanisms);
 
 /// The traits of a set of particles.

@@ -1,8 +1,8 @@
 #pragma once
 
-// At the end of the static stages the memory of the laws begins with the stress that soil then has. Laws
-// cut a stress that they cannot hold. The vertical effective stress of wet soil, which pore pressure ratios
-// are taken over, is that of this moment.
+// At the end of the static stages the memory of the laws begins with the stress that soil then has. A stress
+// beyond the strength is returned to it. The vertical effective stress of wet soil, which pore pressure
+// ratios are taken over, is that of this moment.
 
 #include "mpm_domain/domain.hpp"
 

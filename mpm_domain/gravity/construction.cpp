@@ -30,7 +30,7 @@ struct Former {
   std::size_t k;
 };
 
-/// What stood in the squares of one soil and level, above the water and below it, or of one body.
+/// Former contents of the squares of one soil and level, above the water and below it, or of one body.
 using Formers = std::unordered_map<std::int64_t, Former>;
 
 Formers formers_of(const Domain& before, const Particles& set) {

@@ -43,7 +43,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// How far a rigid structure has gone in the stages after gravity, or since it was placed.
+/// Displacement and rotation of a rigid structure in the stages after gravity, or since it was placed.
 struct StructureWay {
   std::string name;
   Vector way;        ///< of its centre, m
@@ -81,7 +81,7 @@ struct UndrainedSoils {
   }
 };
 
-/// How a stage after gravity goes.
+/// Settings of a stage after gravity.
 struct StageSettings {
   double ramp = 0.0;      ///< T, s
   double residual = 1e-9; ///< as in GravitySettings

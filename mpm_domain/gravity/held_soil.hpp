@@ -12,7 +12,7 @@ namespace tremolo::mpm_domain {
 /// The model with elastic soil to the left of x_min and to the right of x_max, m.
 Spec held_beside(Spec spec, double x_min, double x_max);
 
-/// How far a point is from the nearest particle of soil, m.
+/// Distance from a point to the nearest particle of soil, m.
 double distance_to_soil(const Ground& ground, Vector point);
 
 } // namespace tremolo::mpm_domain

@@ -22,7 +22,7 @@ struct MovingPoint {
 /// All soil of a domain that did not come to rest under gravity.
 std::vector<MovingPoint> mechanism_of(Domain& domain);
 
-/// Where the soil lies that moves at least a tenth as fast as the fastest.
+/// Extent of the soil that moves at least a tenth as fast as the fastest.
 struct Extent {
   double x_min = 0.0; ///< m
   double x_max = 0.0;
@@ -30,7 +30,7 @@ struct Extent {
   double rows = 0.0;  ///< likewise, in sizes of the particles there
 };
 
-/// Empty if no soil moves, since it is a structure that does.
+/// Empty if only structures move.
 std::optional<Extent> extent_of(std::span<const MovingPoint> mechanism);
 
 } // namespace tremolo::mpm_domain

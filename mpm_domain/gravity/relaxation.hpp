@@ -20,7 +20,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What changes while a relaxation goes on, and what ends it.
+/// The course of a relaxation: what changes during it, and what ends it.
 struct Course {
   bool bonded = false;                         ///< structures stick to the soil, whatever that takes
   UndrainedSoils undrained = {};               ///< their pore water moves with the grains
@@ -33,7 +33,7 @@ struct Course {
   long first = 0;       ///< number of the first step, for reports
 };
 
-/// Where a relaxation has ended.
+/// State at the end of a relaxation.
 struct Relaxed {
   long step;
   double residual;
@@ -57,19 +57,19 @@ public:
   double step() const { return dt_; }
   /// Time that forces act for in it, with the damping, s.
   double kick() const { return dt_ / (1.0 + 0.5 * alpha_ * dt_); }
-  /// From now on the way that soil goes counts as displacement.
+  /// Counts the motion of the soil as displacement from now on.
   void count_way();
 
-  /// How far the rigid structures have gone since.
+  /// Displacements of the rigid structures since then.
   const std::vector<StructureWay>& structure_ways() const { return structure_ways_; }
 
   /// Gives laws and damping back what they have lost, and particles their displacement.
   void finish();
-  /// What the constraints hold at the end.
+  /// Reactions of the constraints at the end.
   Reactions reactions() const;
 
 private:
-  /// Which directions of a node are fixed, and which nodes carry soil.
+  /// The fixed directions of each node, and the nodes that carry soil.
   struct Supports {
     std::vector<unsigned char> fixed_x, fixed_y, full;
     std::vector<unsigned char> met;  ///< nodes that structures touch

@@ -35,7 +35,7 @@ public:
   StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
                StageProgress progress);
 
-  /// How many stages are over; gravity is the first.
+  /// Number of completed stages; gravity is the first.
   std::size_t over() const { return over_; }
   bool are_over() const { return over_ == stages_.size() + 1; }
 
@@ -86,7 +86,7 @@ public:
     take_ways(numbers_of_size(from, "static.ways", numbers_of_way * ways_.size()));
   }
 
-  /// How many stages were over when a checkpoint was made.
+  /// Number of completed stages when a checkpoint was made.
   template <class Reader>
   static std::size_t read_count(const Reader& from) {
     return static_cast<std::size_t>(from.integers(stages_over_name).at(0));

@@ -64,7 +64,7 @@ public:
   const FactorOfSafety& found() const { return found_; }
 
 private:
-  /// What moves in a trial that fails.
+  /// The moving soil in a trial that fails.
   struct Failure {
     std::vector<MovingPoint> soil;
     std::vector<std::string> structures;

@@ -42,7 +42,7 @@ public:
   GradedMesh(const mesh::Roots& roots, std::span<const mesh::Refinement> refinements);
 
   const mesh::Quadtree& tree() const { return tree_; }
-  /// By level: lattice l has the cells of level l. Its block of nodes encloses the level's cells.
+  /// The lattices by level: lattice l has the cells of level l, and its block of nodes encloses them.
   const std::vector<Lattice>& lattices() const { return lattices_; }
   std::size_t node_count() const { return node_count_; }
   const Prolongation& prolongation() const { return prolongation_; }

@@ -11,7 +11,7 @@ namespace tremolo::mpm_domain {
 struct Ground;
 
 /// For every row of nodes and every tile, the part from the first to the last node that particles may touch
-/// until the next sort, tied nodes and those that they follow included: what passes over nodes run over. All
+/// until the next sort, including tied nodes and those that they follow: the range of passes over nodes. All
 /// others are empty. Parts begin a multiple of four nodes after their row and end at another or with it, and
 /// none reaches from tile to tile, so that sums in lanes have the same bits however far particles have moved
 /// since the sort, and on whichever rank. A rank has the parts that its own particles touch, those of its own

@@ -16,8 +16,8 @@ struct GroundMesh {
   /// conditions yet.
   seepage::FlowProblem problem;
   HeadGrid grid; ///< the regular grid, without heads
-  /// By column of nodes: the level of the ground on its left and on its right, m; the base where there is
-  /// none.
+  /// Level of the ground to the left and to the right of each column of nodes, m; the base where there is no
+  /// ground.
   std::vector<double> left_of, right_of;
   std::vector<std::size_t> left, right; ///< nodes of both sides of the model
   std::vector<std::size_t> surface;     ///< nodes that are open to the air, or to free water

@@ -55,7 +55,7 @@ struct HalfSide {
   Real per_2lh; ///< 1/(2 l h), 1/m
 };
 
-/// What a box that reaches the length `past` over a node adds there to S and to G.
+/// Contributions to S and G at a node of a box that extends beyond it by the length `past`.
 template <typename Real>
 struct Kink {
   Real s, g;

@@ -56,8 +56,8 @@ std::vector<MetNode> met_nodes(const Grid& grid, std::span<const SegmentRows> ro
   return nodes;
 }
 
-/// What contact changes of the energy of nodes, which then move as they will; what they have lost of it
-/// stands as impact, before the beam's share. Drag has been booked on the mean of w before contact.
+/// Books the change of the nodes' energy by contact and corrects their accelerations; their loss counts as
+/// impact, before the beam's share. Drag has been booked on the mean of w before contact.
 LiningWork soil_work(Ground& ground, std::span<const MetNode> nodes, std::span<const NodeFlow> flows,
                      double kick) {
   Grid& grid = ground.grid;
@@ -249,8 +249,8 @@ double LiningBody::meet_remapped(Ground& ground) const {
   return power;
 }
 
-/// Those in the octagon around the lining, which a ring fills: to find out more of a particle costs a look at
-/// all edges.
+/// The particles in the octagon around the lining, which a ring nearly fills: a finer test would have to
+/// visit all edges for each particle.
 const std::vector<NearParticle>& LiningBody::near_surface(const Ground& ground) {
   constexpr double none = std::numeric_limits<double>::infinity();
   double least_sum = none, most_sum = -none, least_difference = none, most_difference = -none;

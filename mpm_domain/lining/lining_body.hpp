@@ -29,7 +29,7 @@ namespace tremolo::mpm_domain {
 struct Grid;
 struct Ground;
 
-/// What a lining changes of the energy in a step, J/m.
+/// Changes of energy by a lining in a step, J/m.
 struct LiningWork {
   double kinetic = 0.0;  ///< of the soil's nodes, grains and water
   double gravity = 0.0;  ///< work of weight and water at rest on the beam, and on what contact changes
@@ -41,7 +41,7 @@ struct LiningWork {
 
 class LiningBody {
 public:
-  /// In place, free of stress and at rest.
+  /// Creates the lining in place, free of stress and at rest.
   /// @throws std::invalid_argument for a lining that cannot be built
   LiningBody(const Lining& lining, const Ground& ground);
 
@@ -93,7 +93,7 @@ public:
   /// Lets water at rest press with what lies at a share (1) of the way from there to what it is here.
   void grow_water(double share) { water_share_ = share; }
 
-  /// What a checkpoint keeps, and back.
+  /// State for a checkpoint, and its restoration.
   std::vector<double> state() const;
   /// @throws std::runtime_error for the state of another lining
   void set_state(std::span<const double> state);
@@ -107,7 +107,7 @@ private:
   std::vector<double> water_loads(const Ground& ground) const;
   /// Weight and hydrostatic pressure, likewise.
   std::vector<double> loads(const Ground& ground) const;
-  /// What the impulses do to the beam, whose velocity becomes v, and to the nodes along with it.
+  /// Books the work of the impulses on the beam, whose velocity becomes v, and on the nodes.
   /// @param weight  loads(), N/m and N
   void book_beam(const Grid& grid, std::span<const double> weight, std::span<const double> v, double kick,
                  LiningWork& work) const;

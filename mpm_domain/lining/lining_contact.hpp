@@ -32,7 +32,7 @@ class LiningContact {
 public:
   explicit LiningContact(const LiningSurface& surface);
 
-  /// By segment. Friction and adhesion (Pa) are to be set.
+  /// The contacts by segment; the caller sets friction and adhesion (Pa).
   std::vector<SegmentContact>& segments() { return segments_; }
   const std::vector<SegmentContact>& segments() const { return segments_; }
   const std::vector<double>& gaps() const { return gaps_; } ///< m
@@ -46,7 +46,7 @@ public:
   /// @returns velocities of the beam
   std::vector<double> meet(std::span<const SegmentRows> rows, const SoilMotion& soil, const BeamStep& step,
                            double kick, double dt, bool bonded, const WaterBefore& water = {});
-  /// What the impulses change of the soil's nodes, in the order of these.
+  /// Velocity changes of the soil's nodes by the impulses, in their order.
   std::vector<NodeChange> changes(std::span<const SegmentRows> rows, const SoilMotion& soil) const;
   /// The impulse on the lining at a segment, kg/s.
   Vector impulse(const SegmentRows& rows) const;
@@ -55,8 +55,8 @@ public:
   void follow_gaps(std::span<const SegmentRows> rows, const SoilMotion& soil, std::span<const double> v,
                    double dt);
 
-  /// With the rows and masses of the last step: impulses on a lining that does not answer, which end the
-  /// motion of soil into tied segments, and along those that stick: the changes of the soil's nodes.
+  /// Velocity changes of the soil's nodes by impulses on an immovable lining that stop soil from moving into
+  /// tied segments, and along those that stick, with the rows and masses of the last step.
   std::vector<NodeChange> stopped(std::span<const SegmentRows> rows, const SoilMotion& soil,
                                   std::span<const double> v) const;
 

@@ -28,16 +28,16 @@ public:
   void follow_sort(const Ground& ground);
 
   void begin_rest(const Ground& ground);
-  /// As LiningBody::relax, for all.
+  /// Calls LiningBody::relax for all linings.
   double relax(Ground& ground, double keep, double gain, double dt, bool bonded,
                std::span<const unsigned char> left_out);
   void end_rest();
 
-  /// As LiningBody::carry_over and grow_water, for all.
+  /// Calls LiningBody::carry_over and grow_water for all linings.
   void carry_over(const Linings& before, const Ground& model_before);
   void grow_water(double share);
 
-  /// What a checkpoint keeps (state.hpp).
+  /// State that a checkpoint stores (state.hpp).
   template <class Writer>
   void save(Writer& to) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b)

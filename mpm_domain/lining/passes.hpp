@@ -1,12 +1,12 @@
 #pragma once
 
-// What linings do in a step:
+// Passes of linings in a step:
 //
 //   contact:  impulses change v+ of the nodes; the beam makes its implicit step with them (lining_body.hpp)
-//   remap:    tied segments take off u what would drive soil into linings (musl)
+//   remap:    tied segments remove from u the part that drives soil into linings (musl)
 //   bodies:   x += dt v+
 //
-// What contact takes off u is booked as it is for structures (contact/passes.hpp).
+// The part of u that contact removes is booked as for structures (contact/passes.hpp).
 
 #include "mpm_domain/passes/pass.hpp"
 

@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  /// Where there is no water, T follows from N alone.
+  /// Without water, T follows from N alone.
   Eigen::VectorXd solve_dry() const {
     std::vector<Eigen::Index> unknown;
     for (std::size_t s = 0; s < segments_.size(); ++s)

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a segment of a lining's surface has in common with the soil's nodes and with the beam. With N_I the
+// Weights of the soil's nodes and of the beam in the motion of a segment of a lining's surface. With N_I the
 // bilinear hat of node I at the points X_q of the segment, and a part c_I of it that counts,
 //
 //     B w = mean_q sum_I c_I N_I(X_q) w_I / sum_I c_I N_I(X_q),       H v = mean_q (H v)(X'_q),

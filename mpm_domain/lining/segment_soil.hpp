@@ -15,7 +15,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What impulses change of a node's velocity, m/s.
+/// Velocity change of a node due to impulses, m/s.
 struct NodeChange {
   std::size_t node;
   Vector change; ///< of the grains
@@ -43,7 +43,7 @@ private:
     std::size_t row; ///< of the segment
     double share;
   };
-  /// What two segments have in common.
+  /// Coupling block of two segments.
   struct Block {
     std::size_t a, b;             ///< b <= a
     std::array<double, 4> answer; ///< N and T of a to N of b, to T of b

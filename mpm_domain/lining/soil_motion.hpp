@@ -1,6 +1,6 @@
 #pragma once
 
-// How the soil's nodes move before contact, and how they answer to an impulse j. Where nothing but the grains
+// Motion of the soil's nodes before contact, and their response to an impulse j. Where nothing but the grains
 // moves, or water along with them, a node's velocity changes by j/m. Where water flows, a lining lets none
 // pass: along the normal n of its surface at the node, grains and water move as one, and only the grains take
 // what acts along it, to which drag ties the water,
@@ -53,7 +53,7 @@ struct SoilMotion {
     const auto found = std::ranges::lower_bound(flows, node, {}, &NodeFlow::node);
     return found != flows.end() && found->node == node ? &*found : nullptr;
   }
-  /// What an impulse changes of the velocity of a node's grains, m/s.
+  /// Velocity change of a node's grains due to an impulse, m/s.
   Vector of_grains(std::size_t node, const Vector& impulse) const {
     if (const NodeFlow* at = flow(node))
       return at->of_grains(impulse);

@@ -28,7 +28,7 @@ struct SurfacePoint {
   Vector arm;         ///< from the foot, along the chord and to its left, m
 };
 
-/// What a degree of freedom gives to a velocity.
+/// Contribution of a degree of freedom to a velocity.
 struct BeamShare {
   std::size_t dof;
   Vector velocity; ///< m/s for each m/s or rad/s
@@ -62,7 +62,7 @@ private:
 /// narrow for the lining's thickness
 BeamShape shape_of(const Lining& lining);
 
-/// Where a point of the surface is now.
+/// Present position of a point of the surface.
 Vector place(const SurfacePoint& point, const Beam& beam);
 /// The foot of a point on the beam's axis.
 Vector foot(const SurfacePoint& point, const Beam& beam);

@@ -35,7 +35,7 @@ private:
   std::vector<Vector> values_;
 };
 
-/// What particles have lost, J/m: dissipated, and taken by the rock.
+/// Energy lost by particles, J/m: dissipated, and passed to the rock.
 using Loss = std::array<double, 2>;
 
 Loss damp(Particles& p, const ParticleRange& range, double e, const RockVelocity& rock) {

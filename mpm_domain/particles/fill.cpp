@@ -28,7 +28,7 @@ int count_along(double length, double size) {
   return static_cast<int>(std::lround(n));
 }
 
-/// What soil of a region becomes: particles above the water table, or below it.
+/// Kind of particles that a region's soil becomes: above the water table, or below it.
 struct Kind {
   std::size_t soil;
   bool under_water;

@@ -30,8 +30,8 @@ Box widened(const Box& box, double by) {
   return {box.x_min - by, box.y_min - by, box.x_max + by, box.y_max + by};
 }
 
-/// Where particles may be at a sort: what they touch from there until the next one lies on the grid, and with
-/// reduced dispersion the nodes beyond, up to which differences reach.
+/// The positions allowed for particles at a sort: all nodes that they touch until the next sort must lie on
+/// the grid, and with reduced dispersion also the neighbours that differences need.
 Box room_of(const Grid& grid) {
   const int more = grid.traits.sharp ? 2 : 0;
   return {grid.x0 + (2 + more) * grid.h, grid.y0 + (2 + more) * grid.h,

@@ -23,7 +23,7 @@ using Parcel = std::vector<double>;
 
 constexpr int no_rank = -1;
 
-/// Nothing goes with the particles.
+/// Sends no additional data with the particles.
 void add_nothing(std::size_t /*k*/, Parcel& /*parcel*/) {}
 
 std::size_t numbers_per_particle(const Particles& set) {
@@ -155,7 +155,7 @@ std::vector<std::vector<std::size_t>> tiles_of_images(const Ground& ground) {
   return groups;
 }
 
-/// Where the particles of all ranks are.
+/// Numbers of particles in the tiles, over all ranks.
 struct Census {
   std::vector<std::int64_t> on_lattice; ///< by tile: those that touch one lattice
   std::vector<std::int64_t> across;     ///< by tile: all others

@@ -83,7 +83,7 @@ std::size_t split_particles(Ground& ground) {
     return 0;
   const std::size_t kinds = ground.soil_sets / static_cast<std::size_t>(ground.soil_lattice_count());
   std::size_t count = 0;
-  // From coarse to fine, so that a particle that has passed two levels is cut twice.
+  // Levels run from coarse to fine, so that a particle that has passed two levels is split twice.
   for (std::size_t s = 0; s + kinds < ground.soil_sets; ++s) {
     Particles& set = ground.sets[s];
     std::vector<std::size_t> gone;

@@ -14,7 +14,7 @@ struct FastestWaves {
   /// Below the water table that of grains and water without drag where water flows, and that of both together
   /// where it does not.
   double in_soil = 0.0;
-  /// Where pore pressures stay as they are: the skeleton alone, with the particles' mass.
+  /// For constant pore pressures: the skeleton alone, with the particles' mass.
   double in_skeleton = 0.0;
 };
 FastestWaves fastest_waves(Particles& particles, const ParticleRange& range);

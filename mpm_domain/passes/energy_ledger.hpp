@@ -1,8 +1,8 @@
 #pragma once
 
-// Where the energy goes. Over a step of length dt, with v- and v+ the grid velocity before and after the
-// update and v = (v- + v+)/2, the grid's kinetic energy changes exactly by dt times the power of all nodal
-// forces on v:
+// The energy balance. Over a step of length dt, with v- and v+ the grid velocity before and after the update
+// and v = (v- + v+)/2, the grid's kinetic energy changes exactly by dt times the power of all nodal forces on
+// v:
 //
 //     K(v+) - K(v-) = dt sum_i f_i . v_i.
 //

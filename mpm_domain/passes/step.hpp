@@ -36,7 +36,7 @@ struct Step {
   std::vector<double> kicks;     ///< by clock: time that the forces of its last update acted for, s
   std::vector<double> kinetic;   ///< by clock: K(v+) of its nodes after that update, J/m
   double kinetic_off_grid = 0.0; ///< of what moves without nodes, J/m
-  /// By clock: power of the nodal forces, weight aside, on what v+ differs from u by, W/m.
+  /// Power of the nodal forces without weight on the difference between v+ and u, by clock, W/m.
   std::vector<ExactSums<1>> remap_power;
 
   double max_speed = 0.0;     ///< of the last step, all ranks, m/s

@@ -23,8 +23,8 @@ PeriodicColumnSpec periodic_column_spec(const scene::Case& scene, const scene::S
 /// @throws motion::RecordError for an unreadable motion
 std::function<Vector(double x, double time)> rock_motion(const scene::Case& scene, const scene::Plan& plan);
 
-/// That column as a free field that can be sampled at any level. It is linear between base, rows of particles
-/// and surface.
+/// The column as a free field that can be sampled at any level, linear between base, rows of particles and
+/// surface.
 /// @param needed_from  when its motion is first asked for, s
 /// @throws std::invalid_argument for layers that the column cannot have too
 std::unique_ptr<freefield::Column> column_from_case(const scene::Case& scene,

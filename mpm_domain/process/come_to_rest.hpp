@@ -16,7 +16,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What a process of a run knows of it.
+/// A process's view of the run.
 struct RunOfCase {
   const scene::Case& scene;
   const scene::Plan& plan;
@@ -27,7 +27,7 @@ struct RunOfCase {
 /// Why a run has ended that was asked to end after a stage.
 std::string ended_after(const std::string& stage);
 
-/// How many static stages a case has, gravity among them.
+/// Number of static stages of a case, including gravity.
 std::size_t static_stage_count(const scene::Case& scene);
 
 /// Whether a checkpoint was made before the static stages were over.

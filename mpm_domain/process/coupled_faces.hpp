@@ -25,7 +25,7 @@ class CoupledFaces {
 public:
   CoupledFaces(const Domain& domain, const scene::Case& scene, const scene::Plan& plan);
 
-  /// As they are announced.
+  /// The faces as announced to the coupler.
   const std::vector<coupler::ExchangedFace>& faces() const { return faces_; }
   /// Who drives each of the domain's faces, those of tied sides too.
   std::vector<std::string> sources() const;

@@ -66,7 +66,7 @@ FreeFieldSource coupled_source(const Domain& domain, CoupledFaces& faces, couple
   };
 }
 
-/// Where a run ends: after which stage, and the simulated time then, s.
+/// The end of a run: its last stage, and the simulated time then, s.
 struct StageEnd {
   std::string stage;
   double time = 0.0;
@@ -265,7 +265,7 @@ std::string this_machine() {
   return name.data();
 }
 
-/// What the ranks besides the first one do.
+/// Work of all ranks except the first.
 void run_as_helper(const coupler::ParticipantOptions& options, Communicator& ranks,
                    const std::string& until) {
   try {
@@ -273,7 +273,7 @@ void run_as_helper(const coupler::ParticipantOptions& options, Communicator& ran
     run_share(options, scene, scene::plan(scene), nullptr, &ranks, until);
   } catch (const std::exception& error) {
     fmt::print(stderr, "rank {} of the domain, on {}: {}\n", ranks.rank(), this_machine(), error.what());
-    // Where all ranks fail alike the first one reports it.
+    // If all ranks fail with one error, the first rank reports it.
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     throw;
   }

@@ -8,7 +8,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What the domain is built from, as the case says it.
+/// The spec of the domain that a case describes.
 Spec spec_from_case(const scene::Case& scene, int threads);
 
 /// The static stages after gravity, in their order.

@@ -33,7 +33,7 @@ public:
   /// @throws std::invalid_argument for a structure that is not there, or a place without particles
   FastenedEnd(const PropFastening& fastening, Ground& ground, const Contact& contact);
 
-  /// Where it is now, m.
+  /// Present position of the end, m.
   Vector place(const Ground& ground, const Contact& contact) const;
   /// Around the particles that it holds; none: it is on a rigid body.
   std::optional<mesh::Rectangle> bounds(const Ground& ground) const;

@@ -55,11 +55,11 @@ public:
   /// Takes the present places of the ends.
   SpringWork follow(const Ground& ground, const Contact& contact);
 
-  /// In a static stage: the ends have moved for dt (s) with the velocities after the update.
+  /// In a static stage: moves the ends for dt (s) with the velocities after the update.
   void follow_velocity(const Ground& ground, const Contact& contact, double dt);
   /// Takes the stretch of props that stand in the model before.
   void carry_over(const Props& before);
-  /// Those that do not stand there have no force yet; jacks are set on those of them that have a prestress.
+  /// Props that are new have no force yet; those with a prestress are jacked.
   /// @param before  null: no model
   void place_jacks(const Props* before);
   /// Lets jacks load with a share (1) of the prestress.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What ranks, processes that share a domain, say to each other. The domain knows this interface alone;
+// Communication between ranks, the processes that share a domain. The domain knows this interface alone;
 // mpi_communicator.cpp is the only file that knows MPI. All ranks call everything but send() and receive() in
 // the same order. A message that cannot be carried ends all ranks.
 
@@ -43,7 +43,7 @@ public:
   /// Gives every rank its list, and returns those that the ranks gave to this one.
   virtual std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) = 0;
 
-  /// What this rank has given to send() so far.
+  /// Amount of data passed to send() by this rank so far.
   struct Traffic {
     std::uint64_t messages = 0;
     std::uint64_t bytes = 0;

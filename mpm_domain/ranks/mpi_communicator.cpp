@@ -32,13 +32,13 @@ bool has_others() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; // NOLINT(concurrency-mt-unsafe): no thread runs yet
 }
 
-/// How long a rank looks out for a message, giving way to others, before it sleeps between two looks. It
-/// wakes up a tenth of a millisecond late, so that it should not sleep in a step whose work is well shared
-/// out. MPI itself never sleeps, which holds up others where ranks are more than free processors.
+/// Time for which a rank polls for a message, yielding the processor, before it sleeps between polls. It
+/// wakes up a tenth of a millisecond late, so that it should not sleep in a well-balanced step. MPI itself
+/// never sleeps, which delays the others if there are more ranks than free processors.
 constexpr std::chrono::microseconds alert{1000};
 constexpr std::chrono::microseconds nap{50};
 
-/// How two messages become one: the number of sums, these, which are added, then the bits of doubles, of
+/// Reduction of two messages: the number of sums, the sums, which are added, then the bits of doubles, of
 /// which the larger is kept.
 void add_and_largest(void* from, void* to, int* /*count*/, MPI_Datatype* type) {
   const auto* const in = static_cast<const std::int64_t*>(from);

@@ -30,7 +30,7 @@ private:
   std::vector<std::vector<std::size_t>> of_rank_;
 };
 
-/// What ranks pass on of a list.
+/// The numbers of a list that ranks exchange.
 template <typename Read, typename Write>
 struct SharedRows {
   const SharedList* list;

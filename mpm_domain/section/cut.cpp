@@ -14,11 +14,11 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-// In cells. A kernel reaches a cell and a half along each axis, the squares of nodes half a cell more, and
-// strain moves particles a little.
+// Reach around a cut, in cells: a kernel reaches a cell and a half along each axis, the squares of nodes half
+// a cell more, and strain moves particles a little.
 constexpr double guide_reach = 1.0;
 constexpr double bearing_reach = 3.5;
-/// How far beyond the ends of the cut: other parts of the body may stand there.
+/// Reach beyond the ends of the cut, in cells, where other parts of the body may lie.
 constexpr double beyond_ends = 1.0;
 
 Vector unit(const CutLine& line) {
@@ -42,7 +42,7 @@ struct Passing {
   double moment = 0.0;
 };
 
-/// What a particle adds to them.
+/// Adds the contribution of a particle.
 void add(Passing& to, const Particles& p, std::size_t k, const Lattice& lattice, const CutPlace& cut) {
   const Vector sides = half_sides(p, k);
   const Weights wx = weights_along(p.x[k], lattice.x0, lattice.h, sides.x);

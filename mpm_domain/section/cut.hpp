@@ -35,7 +35,7 @@ namespace tremolo::mpm_domain {
 struct Lattice;
 struct Particles;
 
-/// Where a cut is.
+/// Position of a cut.
 struct CutPlace {
   Vector middle; ///< x_c, m
   Vector along;  ///< t
@@ -52,7 +52,7 @@ public:
   /// @throws std::invalid_argument for a line without length, or one that no particles are next to
   Cut(const CutLine& line, std::span<const Particles> sets, double h);
 
-  /// Where it is at the start.
+  /// Its initial position.
   const CutLine& line() const { return line_; }
   /// @param sets  as before
   /// @param back  before the present time, s: particles are taken back along their velocities

@@ -33,7 +33,7 @@ private:
   std::vector<BodySection> all_;
 };
 
-/// Where a cut is, some seconds before the present.
+/// Position of a cut some seconds before the present.
 CutPlace place(const Ground& ground, const BodySection& section, std::size_t cut, double back);
 
 /// The forces that pass through it, with the present stresses.

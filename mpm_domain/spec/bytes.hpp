@@ -1,6 +1,6 @@
 #pragma once
 
-// What particles and nodes take in memory, by the tables of fields.
+// Memory of particles and nodes, from the tables of fields.
 
 #include "mpm_domain/fields/node_fields.hpp"     // IWYU pragma: export
 #include "mpm_domain/fields/particle_fields.hpp" // IWYU pragma: export

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which cells and nodes a model has. The domain is built on them, and a plan counts them.
+// The cells and nodes of a model, on which the domain is built and which a plan counts.
 
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/spec/lattice.hpp"
@@ -40,8 +40,8 @@ struct LevelLattice {
   int origin_j = 0;
 };
 
-/// By level: lattice l has the cells of level l, leaves and quarters of split ones. Its block of nodes
-/// encloses them; blocks stand one behind the other.
+/// The lattices by level: lattice l has the cells of level l, leaves and quarters of split ones. Its block of
+/// nodes encloses them; blocks follow one another.
 std::vector<LevelLattice> lattices_of(const mesh::Quadtree& tree);
 
 } // namespace tremolo::mpm_domain

@@ -14,10 +14,10 @@ enum class Hold {
   all,    ///< at the base
 };
 
-/// Which nodes are held: those on the lines of base and sides, or those behind them too.
+/// The nodes that are held: those on the lines of base and sides only, or also those behind them.
 enum class HeldNodes { on_lines, on_and_behind };
 
-/// How a node (column, row) of a lattice is held by the model's base and, unless they are periodic, its
+/// The fixity of a node (column, row) of a lattice by the model's base and, unless they are periodic, its
 /// sides.
 inline Hold hold_of(const Lattice& lattice, int column, int row, const Spec& spec, HeldNodes which) {
   const double near = 1e-6 * lattice.h;

@@ -8,7 +8,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// How velocity travels between particles and grid.
+/// Transfer of velocity between particles and grid.
 enum class Transfer {
   apic, ///< affine particle-in-cell (Jiang et al. 2015): angular momentum kept, noise filtered
   flip, ///< particles take the grid's acceleration; no dissipation, no filter
@@ -23,7 +23,7 @@ constexpr auto words(StepOrder) {
   return word_table<StepOrder>({{StepOrder::usl, "usl"}, {StepOrder::musl, "musl"}});
 }
 
-/// What becomes of the particles' boxes where soil is strained.
+/// Change of the particles' boxes with strain.
 enum class ParticleBoxes {
   fixed,     ///< they keep their size: uGIMP
   deforming, ///< they follow it (particle_boxes.hpp)
@@ -33,7 +33,7 @@ constexpr auto words(ParticleBoxes) {
       {{ParticleBoxes::fixed, "fixed"}, {ParticleBoxes::deforming, "deforming"}});
 }
 
-/// Which change of volume a law that yields sees.
+/// Volumetric strain passed to a law that yields.
 enum class Dilatation {
   cell, ///< the mean of the particle's cell: soil that keeps its volume does not lock (cell_dilatation.hpp)
   particle, ///< the particle's own
@@ -42,7 +42,7 @@ constexpr auto words(Dilatation) {
   return word_table<Dilatation>({{Dilatation::cell, "cell"}, {Dilatation::particle, "particle"}});
 }
 
-/// How waves in the domain fall behind true ones, the shorter the more.
+/// Numerical dispersion: waves in the domain are slower than true ones, the more so the shorter they are.
 enum class Dispersion {
   plain,   ///< that of uGIMP
   reduced, ///< its leading term is taken away (dispersion/sharpening.hpp)
@@ -56,7 +56,7 @@ constexpr auto words(Side) {
   return word_table<Side>({{Side::left, "left"}, {Side::right, "right"}, {Side::base, "base"}});
 }
 
-/// What the two sides of the model are.
+/// Kind of the two sides of the model.
 enum class Sides {
   free_field,       ///< they carry faces
   periodic,         ///< the domain repeats itself beyond them; it is a whole number of cells wide

@@ -93,7 +93,7 @@ inline constexpr std::array<OutputColumn, 10> sliding_mass_columns{{time_column,
 /// middle. Their names have its number behind them.
 inline constexpr std::array<OutputColumn, 5> lining_element_columns{
     {{"x", "m"}, {"y", "m"}, {"n", "N/m"}, {"q", "N/m"}, {"m", "N"}}};
-/// Likewise for each segment of its outer face: what soil and water press with, the water's part, and shear.
+/// Columns for each segment of its outer face: total normal pressure, the water's part of it, and shear.
 inline constexpr std::array<OutputColumn, 3> lining_segment_columns{
     {{"pressure", "Pa"}, {"water_pressure", "Pa"}, {"shear", "Pa"}}};
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which part of the squares that particles fill at the start is soil. The domain is filled by it, and a plan
-// counts by it.
+// The part of each square of the initial lattice of particles that is soil. The domain is filled by it, and a
+// plan counts by it.
 
 #include "mesh/polygon.hpp"
 #include "mesh/quadtree.hpp"
@@ -66,9 +66,9 @@ void add_crossings(const Polygon& polygon, double level, const mesh::Rectangle& 
   }
 }
 
-/// What of the square around (x, y) lies in one of the regions and in none of the structures. Without
-/// structures it is all of the square or nothing, by its centre: the surface of the soil is then a staircase
-/// of squares, which waves do not mind, but bodies do. Squares that edges run through are cut.
+/// The part of the square around (x, y) that lies in one of the regions and in none of the structures.
+/// Without structures it is all of the square or nothing, by its centre: the surface of the soil is then a
+/// staircase of squares, which waves do not mind, but bodies do. Squares that edges run through are cut.
 /// @param regions, structures  polygons
 /// @param size                 of the square, m
 template <class Regions, class Structures>

@@ -15,7 +15,7 @@ constexpr auto words(Bears) {
       {{Bears::both, "both"}, {Bears::tension, "tension"}, {Bears::compression, "compression"}});
 }
 
-/// Where an end of a prop is fastened.
+/// Fastening of an end of a prop.
 struct PropFastening {
   std::string structure; ///< its name; empty: the ground
   Vector place;          ///< at the start, m

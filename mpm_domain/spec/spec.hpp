@@ -104,7 +104,7 @@ struct Spec {
   double cell_size = 0.0;     ///< h, of the coarsest cells, m
   int particles_per_cell = 2; ///< per direction, 1 to 4
   ParticleBoxes boxes = ParticleBoxes::fixed;
-  /// Where cells are finer. A box that reaches an edge of the model goes on beyond it.
+  /// Boxes with finer cells. A box that reaches an edge of the model continues beyond it.
   std::vector<mesh::Refinement> refine;
   double gravity = 0.0; ///< m/s2, downwards
   std::optional<GroundWater> water = {};

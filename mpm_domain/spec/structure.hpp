@@ -9,7 +9,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Where the normal at a node between soil and a structure comes from (contact/contact_nodes.hpp).
+/// Source of the normal at a node between soil and a structure (contact/contact_nodes.hpp).
 enum class ContactNormals {
   automatic, ///< `gradient` where the soil has a pore pressure, `polygon` elsewhere
   gradient,  ///< the gradient of the soil's volume, as far as it is not far from the next

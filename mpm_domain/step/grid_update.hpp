@@ -1,7 +1,7 @@
 #pragma once
 
-// What happens on the nodes themselves between the transfers. All functions work on the rows of nodes that
-// they are given; tied nodes are left alone (grid/tied_nodes.hpp). What they return are sums of one rank.
+// Operations on the nodes between the transfers. All functions work on the rows of nodes that they are given;
+// tied nodes are left alone (grid/tied_nodes.hpp). What they return are sums of one rank.
 
 #include "mpm_domain/tiles/totals.hpp"
 

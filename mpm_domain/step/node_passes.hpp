@@ -1,6 +1,6 @@
 #pragma once
 
-// What happens on the nodes of each clock (grid_update.hpp), and the books of all that moves them:
+// Passes over the nodes of each clock (grid_update.hpp), and the energy booked for the forces on them:
 //
 //   velocities:  v- = p/m
 //   update:      m (v+ - v-) = kick f                                (water/passes.hpp where water flows)
@@ -19,7 +19,7 @@ namespace tremolo::mpm_domain {
 
 std::vector<Pass> node_passes(Ground& ground);
 
-/// To come after those of the boundary, which takes part in the power of the forces on v+ - u.
+/// These passes must follow those of the boundary, which contributes to the power of the forces on v+ - u.
 std::vector<Pass> node_books(const Ground& ground);
 
 } // namespace tremolo::mpm_domain

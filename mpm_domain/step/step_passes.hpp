@@ -1,6 +1,7 @@
 #pragma once
 
-// What begins and ends a step: its length (time_step.hpp), the sort, and what ranks say to each other of it.
+// Passes at the beginning and the end of a step: its length (time_step.hpp), the sort, and the messages
+// between ranks.
 //
 // Particles are sorted before any of them may have moved farther than weights and windows reach,
 //

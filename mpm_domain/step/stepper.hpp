@@ -50,7 +50,7 @@ public:
   double dt() const { return step_.dt; }     ///< of the step just made, or of the first
   double kick() const { return step_.kick; } ///< time that the forces of the step just made have acted for, s
   long steps() const { return step_.count; }
-  /// How often this stepper has moved a particle, added up over all particles.
+  /// Particle updates by this stepper, summed over all particles.
   double particle_updates() const { return updates_; }
   std::vector<PassTime> times() const;
 

@@ -61,7 +61,7 @@ Limit least_step(const Domain& domain, const StepBounds& bounds, double max_spee
   return least;
 }
 
-/// Where all particles take the same step.
+/// Factor on the step of a clock if all particles take the same step.
 double one_step(int /*clock*/) {
   return 1.0;
 }

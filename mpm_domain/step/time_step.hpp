@@ -16,9 +16,9 @@
 
 namespace tremolo::mpm_domain {
 
-/// What bounds the step, two numbers by set, then by lattice, then by clock: the speed of the fastest waves
-/// (m/s; -1 if there are no particles), and the largest time of what damps these (s). Those of several ranks
-/// together are the largest.
+/// Bounds on the step, two numbers by set, then by lattice, then by clock: the speed of the fastest waves
+/// (m/s; -1 if there are no particles), and the longest damping time (s). The bounds of several ranks
+/// together are the largest ones.
 using StepBounds = std::vector<double>;
 
 /// Speed of the fastest of all particles and points of structures of all ranks, m/s: none may go far from one

@@ -26,10 +26,10 @@ namespace tremolo::mpm_domain {
 /// Stores the strains of particles of one set, chunk by chunk, and adds them to the sums of their cells.
 class WaitingRange {
 public:
-  /// For the particles of a tile that touch its lattice alone.
+  /// The range for the particles of a tile that touch its lattice alone.
   /// @param window  takes the tile's sums
   WaitingRange(WaitingStrains& strains, const TileMap& tiles, std::size_t tile, double* window);
-  /// For particles that touch several lattices. strain_by_cells() adds them to the sums.
+  /// The range for particles that touch several lattices; strain_by_cells() adds them to the sums.
   WaitingRange(WaitingStrains& strains, const GradedMesh& mesh);
 
   /// Finds the cells of particles [first, first + count). Call it before they move.

@@ -25,7 +25,7 @@ inline bool has_more_than_law_stress(const Particles& p) {
 /// p_e of a group of wet particles from k on, Pa
 template <typename Group>
 [[gnu::always_inline]] inline Lanes excess_pressure(const Particles& p, std::size_t k, Group group) {
-  // In this order a pressure that is not a number stays one.
+  // In this order of the arguments a NaN pressure stays NaN.
   return larger(all(p.water->fluid.cavitation_pressure), group.load(&p.pore_pressure[k])) -
          rest_pressure(p, k, group);
 }

@@ -19,7 +19,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What a volume grows by, det(I + A) to second order in the dilation exx + eyy.
+/// Growth factor of a volume, det(I + A) to second order in the dilation exx + eyy.
 inline Lanes growth(const Lanes& dilation) {
   return 1.0 + dilation * (1.0 + 0.5 * dilation);
 }

@@ -43,7 +43,7 @@ private:
   NodeBlock place_;    ///< of the window
 };
 
-/// Where a tile's sums over cells stand in its window.
+/// Layout of a tile's sums over cells in its window.
 struct CellWindow {
   double *weight, *change;
 

@@ -147,7 +147,7 @@ Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> particles, int ran
   total += together.besides;
   for (const std::size_t tile : together.of_first)
     deal.owner[tile] = 0;
-  // Where these are a full share, all others are for the other ranks.
+  // If these are a full share, all other tiles go to the other ranks.
   const int full = ranks > 1 && before > 0 && before * ranks >= total ? 1 : 0;
   if (full == 1)
     total -= std::exchange(before, 0);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which rank owns which tile. Tiles with particles are put in the order of a Hilbert curve (Hilbert 1891,
+// Assignment of tiles to ranks. Tiles with particles are put in the order of a Hilbert curve (Hilbert 1891,
 // Math. Ann. 38, 459-460) over the lattice, which never leaves a neighbourhood before it has seen it all, and
 // the curve is cut into pieces of nearly the same number of particles. So a rank's tiles lie together, and
 // their common rim is short. A tile without particles belongs to the owner of a neighbour with some: it must

@@ -14,7 +14,7 @@ namespace {
 constexpr int shared_nodes = window_columns - tile_columns;
 static_assert(shared_nodes == window_rows - tile_rows);
 
-/// Where A, B and C begin in a window of so many nodes, and the end.
+/// Begin of A, B and C in a window of so many nodes, and the end.
 constexpr std::array<int, 4> parts_of(int nodes) {
   return {0, shared_nodes, nodes - shared_nodes, nodes};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What passes over particles read from the grid, tile by tile.
+// Loops over particles that read from the grid, tile by tile.
 
 #include "mpm_domain/transfer/samples.hpp"
 

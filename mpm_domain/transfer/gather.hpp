@@ -5,8 +5,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Which quantities of the particles a gather pass updates: velocity, position and strain together, velocity
-/// alone, strain alone, or the remapped strain with position or drift.
+/// The quantities of the particles that a gather pass updates: velocity, position and strain together,
+/// velocity alone, strain alone, or the remapped strain with position or drift.
 struct GatherParts {
   bool velocity = false; ///< v_p (and C_p with APIC)
   bool position = false; ///< x_p += dt sum_i S_ip v+_i

@@ -1,7 +1,7 @@
 #pragma once
 
-// What particles carry to the grid: grains, and water that flows between them. The sums of both stand in the
-// order mass, momentum, force in NodeFields.
+// The phases that particles carry to the grid: grains, and water that flows between them. In NodeFields the
+// sums of each are in the order mass, momentum, force.
 
 #include "mpm_domain/particles/water/pore_volume.hpp"
 #include "mpm_domain/strain/total_stress.hpp"
@@ -32,10 +32,10 @@ inline const double* column_from(const std::vector<double>& column, std::size_t 
   return column.empty() ? nullptr : &column[first];
 }
 
-/// How the velocity of a particle varies around it.
+/// Variation of velocity around a particle.
 enum class Around { uniform, affine, bilinear };
 
-/// What acts on a phase: all of its stress and its weight, or a pressure alone.
+/// Forces on a phase: its whole stress and its weight, or a pressure alone.
 enum class Pull { stress_and_weight, pressure };
 
 /// The numbers of one particle.
@@ -44,7 +44,7 @@ struct ParticleValues {
   TotalStress stress;
 };
 
-/// What moves with the particles: grains, and water that does not flow in their pores. Their sums begin with
+/// The phase that moves with the particles: grains, and pore water that does not flow. Their sums begin with
 /// Sum::mass. The forces are those on soil and water together.
 struct SoilPhase {
   static constexpr Sum first_sum = Sum::mass;
@@ -159,8 +159,8 @@ struct WaterPhase {
   }
 };
 
-/// What water takes off the weight of a group of particles of a set under water from k on, N/m, and their
-/// pore volume V n where its pressure follows the change of volume, m2.
+/// Buoyancy (N/m) of a group of submerged particles of a set from k on, and their pore volume V n (m2) where
+/// the pressure follows the change of volume.
 template <typename Group>
 std::array<Lanes, 2> numbers_of_water(const Particles& p, std::size_t k, Group group, double gravity) {
   const Lanes lift = (1.0 - p.weight_share) * gravity * group.load(&p.mass[k]);

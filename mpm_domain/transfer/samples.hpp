@@ -1,6 +1,6 @@
 #pragma once
 
-// How particles read velocities from the grid, four particles at a time. On one lattice they use stencils;
+// Interpolation of velocities from the grid to particles, four at a time. On one lattice they use stencils;
 // across several lattices they read node by node.
 
 #include "mpm_domain/ground.hpp"
@@ -10,7 +10,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Which sums of a velocity component are computed.
+/// The sums of a velocity component that are computed.
 struct Reading {
   bool value = false;
   bool gradient = false;
@@ -149,7 +149,7 @@ struct Vectors {
   Lanes x{}, y{};
 };
 
-/// What four particles read from the grid.
+/// Values that four particles read from the grid.
 struct Samples {
   Vectors v_before;                     ///< sum S v-
   Vectors v_after;                      ///< sum S v+
@@ -158,7 +158,7 @@ struct Samples {
   Vectors cross;                        ///< sum S v+ (x_i - x)(y_i - y), m3/s
 };
 
-/// Which velocities a gather samples, and which of them strains.
+/// The velocities that a gather samples, and the one that gives the strain.
 struct Wanted {
   bool v_before = false;
   bool v_after = false;
@@ -218,7 +218,7 @@ template <Wanted wanted>
           .cross = {read.x_after.cross_moment, read.y_after.cross_moment}};
 }
 
-/// What the four particles of a reader read from the grid.
+/// Values that the four particles of a reader read from the grid.
 template <Wanted wanted, std::size_t rows>
 [[gnu::always_inline]] inline Samples samples_at(const Reader<rows>& at, const VelocityFields& v) {
   Velocities read;

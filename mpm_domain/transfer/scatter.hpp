@@ -6,7 +6,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Which sums a scatter pass adds up at the nodes.
+/// The sums that a scatter pass computes at the nodes.
 enum class ScatterPart {
   motion,   ///< mass and momentum
   momentum, ///< momentum alone: masses stay the same while particles stay where they are

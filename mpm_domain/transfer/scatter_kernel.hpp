@@ -1,6 +1,6 @@
 #pragma once
 
-// How particles add up to nodes, chunk by chunk: on one lattice with stencils, in the window of their tile;
+// Sums of particles at nodes, chunk by chunk: on one lattice with stencils, in the window of their tile;
 // across several lattices four nodes at a time.
 
 #include "mpm_domain/ground.hpp"
@@ -14,7 +14,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Which part of the particles' motion a pass scatters.
+/// The part of the particles' motion that a pass scatters.
 enum class Motion { none, momentum, mass_and_momentum };
 
 template <std::size_t rows>
@@ -175,7 +175,7 @@ template <typename Sums, std::size_t rows, typename To, typename Add>
   }
 }
 
-/// What water adds to what the soil brings to the nodes.
+/// Sums that pore water adds to those of the soil at the nodes.
 enum class PoreWaterCoupling {
   none,
   numbers, ///< what it takes off the weight, and pore volumes

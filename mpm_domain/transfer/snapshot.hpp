@@ -29,7 +29,7 @@ public:
     return ground_.share ? std::span<const Particles>(copy_.sets) : std::span<const Particles>(ground_.sets);
   }
   std::span<const Particles> sets_of_soil() const { return sets().first(ground_.soil_sets); }
-  /// As particle_velocity() and particle_acceleration() give them (gather.hpp).
+  /// Velocity and acceleration as particle_velocity() and particle_acceleration() give them (gather.hpp).
   Vector velocity(std::size_t set, std::size_t k) const;
   Vector acceleration(std::size_t set, std::size_t k) const;
 

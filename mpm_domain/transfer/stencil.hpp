@@ -71,14 +71,14 @@ auto for_boxes(const Particles& p, const Act& act) {
   return p.has_own_boxes() ? act.template operator()<OwnRectangles>() : act.template operator()<OneSquare>();
 }
 
-/// Where a lattice's nodes stand in an array: node (i, j) has the index first + j row + i.
+/// Layout of a lattice's nodes in an array: node (i, j) has the index first + j row + i.
 struct NodeArray {
   double row;
   double first;
 
-  /// For the arrays of all nodes.
+  /// Layout in the arrays of all nodes.
   explicit NodeArray(const Lattice& lattice) : row(lattice.nx), first(static_cast<double>(lattice.first)) {}
-  /// For an array that holds a window of the lattice, row after row.
+  /// Layout in an array that holds a window of the lattice by rows.
   explicit NodeArray(const NodeBlock& window)
       : row(window.columns), first(-static_cast<double>(window.row * window.columns + window.column)) {}
 };

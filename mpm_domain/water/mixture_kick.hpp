@@ -21,7 +21,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What acts on a component at four nodes.
+/// Forces and drag on a velocity component at four nodes.
 struct MixtureNodes {
   Lanes solid_mass;  ///< m_s, kg/m
   Lanes water_mass;  ///< m_f, kg/m

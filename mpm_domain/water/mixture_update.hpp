@@ -1,8 +1,8 @@
 #pragma once
 
-// What happens on the nodes below the water table between the transfers, in the place of, or after, what
-// happens on nodes of dry soil (step/grid_update.hpp). All functions work on the rows of nodes that they are
-// given. Nodes without water take part as dry ones. What they return are sums of one rank.
+// Operations on the nodes below the water table between the transfers, instead of or after those on nodes of
+// dry soil (step/grid_update.hpp). All functions work on the rows of nodes that they are given. Nodes without
+// water take part as dry ones. What they return are sums of one rank.
 //
 // The kinetic energy of both phases changes by
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// What pore water does in a step. Below the water table, soil and water come to the grid together
+// Passes of pore water in a step. Below the water table, soil and water come to the grid together
 // (water_scatter.hpp); where there is a pore pressure p,
 //
 //   pressure:    p += -dt (K_f/n) div(v_s + n w)                          (pore_pressure.hpp)

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the head h of the undisturbed water varies, it pulls at soil and water together by the seepage force,
-// per volume
+// Where the head h of the undisturbed water varies, soil and water together feel the seepage force, per
+// volume
 //
 //     j = -gamma grad h,      f_i = sum_p V_p S_ip j_p,
 //

@@ -13,7 +13,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// What all soil under water brings.
+/// The sums of all submerged soil.
 constexpr SumRange numbers = sums_between(Sum::lift, Sum::pore_volume);
 
 /// Soil without pores, or whose water does not flow, lets none enter. Above the table soil without pores is

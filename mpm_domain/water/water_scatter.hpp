@@ -1,6 +1,6 @@
 #pragma once
 
-// What particles under water add up at the nodes beside what all soil does (transfer/scatter.hpp): where
+// Sums of submerged particles at the nodes in addition to those of all soil (transfer/scatter.hpp): where
 // water flows
 //
 //     m_f,i = sum S n rho_f V,      p_f,i = sum S n rho_f V (v_f + C_f (x_i - x)),
@@ -16,8 +16,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What soil that lets no water enter adds to the resistance of nodes, per volume: beyond all drag of soil,
-/// Pa s/m2
+/// Resistance that impermeable soil adds to nodes, per volume: beyond all drag of soil, Pa s/m2
 inline constexpr double sealed = 1e30;
 
 /// Sets the sums of soil and water to those of all particles, tied nodes folded.

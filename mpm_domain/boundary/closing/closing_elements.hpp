@@ -1,6 +1,6 @@
 #pragma once
 
-// What stands behind the faces where dispersion is reduced, in place of the dashpots of Eq. (6). A wave that
+// The absorber behind the faces with reduced dispersion, in place of the dashpots of Eq. (6). A wave that
 // leaves the grid at a right angle, and sends nothing back, has at the nodes of the edge
 //
 //     f = -Z (1 - 0.208 (k h)^2) v,      Z = rho c,

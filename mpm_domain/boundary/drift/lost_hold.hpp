@@ -19,7 +19,7 @@ struct FaceDrift {
   double strength_share = 0.0;
 };
 
-/// How far soil has moved at each face beyond its free field,
+/// Drift of the soil at each face relative to its free field,
 ///
 ///     d = int (v^m - v^ff) dt.
 ///
@@ -34,7 +34,7 @@ public:
   /// @param far         what is worth a warning, m
   LostHold(const Ground& ground, const Boundary& boundary, bool total_base, double far);
 
-  /// To be called at the rows of the history, with the velocities of these steps.
+  /// Call it at every row of the history, with the velocities of that step.
   void add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field);
 
   /// All faces where d counts.
@@ -42,11 +42,11 @@ public:
   /// The largest |d| at each side and the base where it counts, and how much of the soil's strength k d asks
   /// for: a sentence, or nothing if no side counts.
   std::optional<std::string> report() const;
-  /// What a user should know where the ground beyond a side would not hold: d has become too large along the
-  /// normal of a face, or the springs of a side pull beyond the strength of its soil.
+  /// A warning if the ground beyond a side could not hold the soil: d has become too large along the normal
+  /// of a face, or the springs of a side pull beyond the strength of its soil.
   std::optional<std::string> warning() const;
 
-  /// For a checkpoint.
+  /// Adds the state that a checkpoint stores.
   void add_state(SavedNumbers& state);
 
 private:

@@ -49,7 +49,7 @@ struct BilinearElement {
     add(force[0], near), take(force[1], near), add(force[2], far), take(force[3], far);
   }
 
-  /// What stresses on planes across z at one xi pull, the sum of both zeta.
+  /// Adds the nodal forces of stresses on planes across z at one xi, summed over both zeta.
   void pull_down(Vectors& force, double xi, const Vector& on_z) const {
     const Real q = 0.25 * width; // a quarter of the area over the height
     const Vector near{(1.0 - xi) * (q * on_z.x), (1.0 - xi) * (q * on_z.y)};

@@ -33,7 +33,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What the corner is made of, as elements of a layer are.
+/// Sizes and material of the corner's elements.
 struct CornerShape {
   double density = 0.0;       ///< kg/m3
   double p_modulus = 0.0;     ///< rho c_p^2, Pa
@@ -48,7 +48,7 @@ class LayerCorner {
 public:
   explicit LayerCorner(const CornerShape& shape);
 
-  /// From one time to the next, dt later (s), while the domain's corner moves at the given velocity (m/s).
+  /// Advances by dt (s) while the domain's corner moves at the given velocity (m/s).
   /// @param side, base  forces of the layers at the nodes that they share with the corner, at the time before
   void advance(double dt, const eq6::Vector& corner_velocity, const LayerEndNodes& side,
                const LayerEndNodes& base);
@@ -58,7 +58,7 @@ public:
   /// Velocity (m/s) of the node that is j elements away from it behind the base, at x = 0.
   [[nodiscard]] eq6::Vector base_velocity(std::size_t j) const { return v_[node(0, j)]; }
 
-  /// What the block exerts on the domain's corner besides its inertia, N/m.
+  /// Force of the block on the domain's corner, without its inertia, N/m.
   [[nodiscard]] eq6::Vector corner_force() const { return force_.front(); }
   /// Mass of the block at the domain's corner, kg/m.
   [[nodiscard]] double corner_mass() const { return mass_.front(); }
@@ -67,7 +67,7 @@ public:
   void add_state(SavedNumbers& state);
 
 private:
-  /// What an element remembers.
+  /// Memory variables of an element.
   struct Memory {
     struct Q {
       eq6::Vector x, z;

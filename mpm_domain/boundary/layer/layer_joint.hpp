@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the matched layers of a side and of the base meet: turns between the directions of the layers,
+// The joint of the matched layers of a side and of the base: rotations between the directions of the layers,
 // (along, normal), and those of the corner between them, x outwards from the side and z downwards from the
 // base:
 //

@@ -41,7 +41,7 @@ struct LayerColumn {
   double shear_modulus = 0.0; ///< rho c_s^2, Pa
 };
 
-/// What lies beyond the first and the last column.
+/// Condition at the first and at the last column.
 enum class LayerEnd {
   dashpots, ///< more of the same layer, by dashpots stretched like it
   free,     ///< nothing
@@ -78,7 +78,7 @@ public:
 
   /// Nodes on the boundary.
   [[nodiscard]] std::size_t width() const { return across_; }
-  /// What the layer exerts on one of its nodes on the boundary, besides its inertia, N/m.
+  /// Force of the layer on one of its boundary nodes, without its inertia, N/m.
   [[nodiscard]] eq6::Vector boundary_force(std::size_t node) const { return force_.at(node); }
   /// Mass of the layer at its nodes on the boundary, kg/m.
   [[nodiscard]] std::span<const double> boundary_mass() const { return std::span(mass_).first(across_); }
@@ -106,10 +106,10 @@ private:
     [[nodiscard]] eq6::Vector at(std::size_t node) const { return {x[node], y[node]}; }
     void set(std::size_t node, eq6::Vector value) { x[node] = value.x, y[node] = value.y; }
   };
-  /// What an element remembers: Q of each integration point and S (of s_xx and s_xz) of each of their depths,
-  /// two components each.
+  /// Number of an element's memory variables: Q of each integration point and S (of s_xx and s_xz) of each of
+  /// their depths, two components each.
   static constexpr std::size_t memories = 2 * (gauss_points + gauss.size());
-  /// What the elements of a row have in common: the stretch at the two depths of their integration points.
+  /// Properties of a row of elements: the stretch at the two depths of its integration points.
   struct Row {
     std::size_t index;
     std::array<StretchAt, 2> stretches;

@@ -1,10 +1,10 @@
 #pragma once
 
-// How a matched layer stretches its depth z (layer_lattice.hpp):
+// Stretch of the depth z in a matched layer (layer_lattice.hpp):
 //
 //     g(z, omega) = 1 + b(z)/(a + i omega),        b = b_max (z/d)^2,
 //
-// and how what it remembers decays: dM/dt = s - r M, in steps of dt, centred,
+// and the decay of its memory variables: dM/dt = s - r M, in steps of dt, centred,
 //
 //     M+ = (1 - r dt/2)/(1 + r dt/2) M- + dt/(1 + r dt/2) s.
 
@@ -12,7 +12,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// How a memory with rate r (1/s) decays in a step of dt (s).
+/// Decay of a memory variable with rate r (1/s) in a step of dt (s).
 struct Decay {
   double keep;
   double gain;
@@ -37,13 +37,13 @@ public:
         shift_(shift_of_depth * fastest / depth) {}
 
   [[nodiscard]] double rate(double z) const { return largest_ * (z / depth_) * (z / depth_); } ///< b, 1/s
-  /// At a depth z, for steps of dt (s).
+  /// The stretch at a depth z, for steps of dt (s).
   [[nodiscard]] StretchAt at(double z, double dt) const { return {rate(z), Decay(shift_ + rate(z), dt)}; }
   [[nodiscard]] double shift() const { return shift_; } ///< a, 1/s
 
 private:
-  /// What is left of the amplitude of a P wave that goes to the fixed end and back along the normal. Less
-  /// would ask for a steeper stretch, which elements reflect (docs/boundaries.md).
+  /// Remaining amplitude of a P wave after travelling to the fixed end and back along the normal. A smaller
+  /// value would need a steeper stretch, which the elements reflect (docs/boundaries.md).
   static constexpr double returned = 1e-3;
   /// a d/c_p: waves far slower than 1/a are let through to the fixed end, which then is 70 d away.
   static constexpr double shift_of_depth = 0.05;

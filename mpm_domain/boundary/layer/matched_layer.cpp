@@ -12,7 +12,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Where a face begins and ends along its side, m.
+/// Start and end of a face along its side, m.
 struct Reach {
   double from;
   double to;

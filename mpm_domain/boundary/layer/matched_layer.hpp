@@ -41,7 +41,7 @@ public:
   /// @param all faces of the domain
   void lump(std::span<BoundaryFace> all);
 
-  /// How the layer's nodes on the boundary move to this time from the last one.
+  /// Sets the motion of the layer's boundary nodes from the last time to this one.
   /// @param v_domain of half a step before it, or of the mean of the step before; free_field of this time;
   /// both of all faces of the domain
   void follow(std::span<const Vector> v_domain, std::span<const eq6::FreeField> free_field);
@@ -56,7 +56,7 @@ public:
   }
   [[nodiscard]] Side side() const { return side_; }
   [[nodiscard]] LayerLattice& lattice() { return lattice_; }
-  /// How the node at an end (0 or 1) of the boundary follows, m/s along the boundary and its normal.
+  /// Velocity of the node at an end (0 or 1) of the boundary, m/s, along the boundary and its normal.
   [[nodiscard]] Vector end_velocity(std::size_t end) const {
     return end == 0 ? velocity_.front() : velocity_.back();
   }

@@ -26,7 +26,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What an edge between two faces of a side gives to the nodes around it.
+/// Forces of an edge between two faces of a side on the nodes around it.
 struct LeaningEdge {
   Vector on_soil;        ///< on soil and water together, N/m
   double on_water = 0.0; ///< upwards, on water per unit of its volume, N/m

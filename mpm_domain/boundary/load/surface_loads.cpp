@@ -58,7 +58,7 @@ LoadedEdge edge_of(const LoadedFace& face, const Ground& ground) {
   return {{set.x[k], set.y[k] + half.y}, half.x, half.x / set.half_size, face.half / set.half_size};
 }
 
-/// From one place to another. Where sides are periodic, to the nearest image of it.
+/// Vector from one point to another; with periodic sides, to its nearest image.
 Vector way(Vector from, Vector to, const Spec& spec) {
   Vector w = to - from;
   const double period = spec.box.x_max - spec.box.x_min;
@@ -135,7 +135,7 @@ void SurfaceLoads::follow(const Ground& ground) {
     const double covered = x_max - x_min;
     const double period = ground.spec.box.x_max - ground.spec.box.x_min;
     const bool closed = ground.spec.periodic() && covered > (1.0 - 1e-9) * period;
-    // From the middle of an edge to the cut between it and the next one, and to the next one.
+    // Vectors from the middle of an edge to the cut between it and the next edge, and to the next edge.
     const auto to_cut = [&](std::size_t f, std::size_t next) {
       const Vector w = way(edges[f].middle, edges[next].middle, ground.spec);
       const double part = edges[f].half / (edges[f].half + edges[next].half);

@@ -45,7 +45,7 @@ public:
   explicit SurfaceLoads(Ground& ground);
 
   bool any() const { return !faces_.empty(); }
-  /// From left to right, load after load.
+  /// The loaded faces, load after load, each from left to right.
   std::span<const LoadedFace> faces() const { return faces_; }
 
   /// Lets a load act with a share (1) of its size.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the boundary does in a step (boundary.hpp), once a step or at every tick:
+// Passes of the boundary in a step (boundary.hpp), once per step or at every tick:
 //
 //   scatter:   the soil at the faces is read
 //   exchange:  v^m of the faces goes out, v^ff and sigma^ff come in       (once)

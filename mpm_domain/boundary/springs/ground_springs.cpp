@@ -27,7 +27,8 @@ GroundSprings::GroundSprings(const Ground& ground, std::span<BoundaryFace> faces
     if (of_side == spec.springs.end() || !face.behind.has_dashpots)
       continue;
     const auto& [side, across, along, centre, lags, own_field] = *of_side;
-    // Where the model repeats itself, what bears on it does too, and no place along the base is nearer to it.
+    // With periodic sides the loads repeat as well, so that no place along the base is nearer to them than
+    // another.
     const double beside = spec.sides == Sides::free_field ? face.position.x - centre.x : 0.0;
     const double distance =
         std::max(std::hypot(beside, face.position.y - centre.y), least_cells * spec.cell_size);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What stands before soil whose water flows. No pressure drives water through the boundary of the domain.
+// Impervious faces of soil whose water flows: no pressure drives water through the boundary of the domain.
 //
 // Base: no water passes, w . n = 0. The nodes on a face's line, and those next to it outside, are closed.
 // Where the line lies within a cell, the nodes on its inner side are open. They feel the force of the excess

@@ -11,7 +11,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// What a unit impulse along a direction at an arm changes of a motion.
+/// Change of a body's motion by a unit impulse along a direction at an arm.
 RigidMotion answer(const Response& r, const Vector& direction, const Vector& arm) {
   const double turn = cross(arm, direction);
   const auto row = [&](std::size_t i) {

@@ -150,7 +150,7 @@ void sweep(double mass, double inertia, const RigidMotion& trial, std::span<Cont
       };
       const double soft_n = 1.0 / p.mass + n.cwiseProduct(per_weight.transpose()).dot(n);
       const double normal = p.normal_impulse + (p.normal_speed - p.normal_impulse / p.mass - n * u) / soft_n;
-      // What the water would bear at the velocity that node and wall then have in common.
+      // The impulse that the water would carry at the common velocity of node and wall.
       const double water = p.water_impulse - p.full_water * (p.normal_speed - normal / p.mass);
       p.tied = normal > 0.0 || (p.wet() && water > p.least_water);
       give(n, p.tied ? normal : 0.0, p.normal_impulse);

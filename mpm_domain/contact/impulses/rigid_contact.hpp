@@ -62,7 +62,7 @@ struct ContactPoint {
   double pull_tangential(const RigidMotion& u) const { return dot(tangent(), u.at(arm)); }
 };
 
-/// How a body answers to impulses while its nodes stay in their sets: dU = R J^T j, row after row.
+/// Response of a body to impulses while its nodes stay in their sets: dU = R J^T j, stored by rows.
 using Response = std::array<double, 9>;
 
 struct ContactSolution {

@@ -1,5 +1,5 @@
-// How contact finds the impulses at all nodes of all bodies (contact.hpp): body by body, each with the
-// impulses of the others, in sweeps.
+// Solution for the impulses at all nodes of all bodies (contact.hpp): body by body, each with the impulses of
+// the others, in Gauss-Seidel sweeps.
 
 #include "mpm_domain/contact/contact.hpp"
 

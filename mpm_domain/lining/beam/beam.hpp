@@ -17,7 +17,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Which points a beam joins at the start.
+/// The initial nodes of a beam.
 struct BeamShape {
   std::vector<Vector> nodes;            ///< of its axis, m
   bool closed = true;                   ///< whether the last is joined to the first
@@ -26,7 +26,7 @@ struct BeamShape {
 
 class Beam {
 public:
-  /// At rest, free of stress.
+  /// Creates the beam at rest and free of stress.
   /// @throws std::invalid_argument for fewer than two nodes (three of a ring), nodes that coincide, or a
   /// hinge that does not stand between two elements
   Beam(const BeamShape& shape, const BeamSection& section);
@@ -61,7 +61,7 @@ public:
   /// Strains the elements by dt v, and leaves the nodes where they are.
   void strain_in_place(double dt);
 
-  /// What changes with time: q, v and e_0, for a checkpoint, and back.
+  /// The variables of time q, v and e_0, for a checkpoint, and their restoration.
   std::vector<double> state() const;
   /// @throws std::runtime_error for the state of another beam
   void set_state(std::span<const double> state);

@@ -33,7 +33,7 @@ struct BeamElement {
   ElementStrain strain_before{};     ///< e_0
 };
 
-/// Where an element is now.
+/// Present position of an element.
 struct ElementPlace {
   Vector axis;         ///< along the chord, from a to b
   double length = 0.0; ///< l, m

@@ -1,8 +1,8 @@
 #pragma once
 
-// What pore water bears of the normal impulses at the segments, which carries no friction. Water of density
-// rho_f that filled the soil's volume alone, m~_f = rho_f V at a node, and that met the lining as the soil
-// does, would need the impulses q = p L dt,
+// The part of the normal impulses at the segments that pore water carries, which causes no friction. Water of
+// density rho_f that filled the soil's volume alone, m~_f = rho_f V at a node, and that met the lining as the
+// soil does, would need the impulses q = p L dt,
 //
 //     (B_n m~_f^-1 B_n^T) q = B_n v_f* - H_n v+,         v+ = v* + A^-1 H^T j,
 //

@@ -21,7 +21,7 @@ std::vector<double> flat(const std::vector<Vector>& corners) {
   return values;
 }
 
-/// Where a body was at the time of its velocity, half a step before the present.
+/// Position of a body at the time of its velocity, half a step before the present.
 struct BodyPlace {
   Vector centre;
   double tilt;

@@ -14,7 +14,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// What the pore water does at a particle; zero where there is none.
+/// State of the pore water at a particle; zero where there is none.
 struct WaterState {
   double pressure = 0.0; ///< Pa
   double excess = 0.0;   ///< over the hydrostatic one of the present place, Pa
@@ -27,7 +27,7 @@ WaterState water_state(const Particles& set, std::size_t k);
 /// over the weight of a cell of water where less than that rests on a particle.
 double largest_pressure_ratio(const Ground& ground);
 
-/// Where a particle was at the time of its velocity, half a step before the present, m.
+/// Position of a particle at the time of its velocity, half a step before the present, m.
 Vector place(const Particles& set, std::size_t k, double dt);
 
 /// Displacement since the start at the time of the velocity, m.

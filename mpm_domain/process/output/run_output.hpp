@@ -35,7 +35,7 @@ public:
 
   /// The particles that have histories.
   std::vector<ParticleName> followed() const;
-  /// What of the snapshot is needed after a step, and to finish.
+  /// Fields of the snapshot that are needed after a step, and at the end.
   Snapshot::Extent needs(const Stepper& stepper) const;
   Snapshot::Extent needs_to_finish(const Stepper& stepper) const;
 
@@ -74,7 +74,7 @@ private:
     results::TimeSeries* series = nullptr;
   };
 
-  /// What it remembers from row to row.
+  /// State that the output keeps from row to row.
   SavedNumbers state();
   void add_monitors();
   void add_lines();

@@ -16,7 +16,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Those that the domain reads: recordings are its sources' business, and large.
+/// The files that the domain reads; recordings are read by its sources only, and are large.
 std::vector<std::filesystem::path> own_files(const scene::Case& scene, const scene::Plan& plan) {
   auto files = scene::data_files(scene);
   std::erase_if(files, [&](const auto& file) {
@@ -45,7 +45,7 @@ void require_same_inputs(Communicator& ranks, const scene::Case& scene, const sc
                          const coupler::ParticipantOptions& options) {
   std::vector<Input> inputs{{"build of tremolo", crc(TREMOLO_VERSION " " TREMOLO_BUILD_FLAGS)},
                             {options.case_file.string(), crc(scene.text)}};
-  // With another case the files may be others, of another number.
+  // Another case may have other files, and another number of them.
   const auto compare = [&] {
     std::vector<double> numbers;
     for (const Input& input : inputs)

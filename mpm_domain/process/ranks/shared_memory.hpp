@@ -8,10 +8,10 @@
 
 namespace tremolo::mpm_domain {
 
-/// In the environment of ranks on the machine of the run: the run's folder for such files.
+/// Environment variable of ranks on the run's machine: the run's folder for such files.
 inline constexpr const char* shared_memory_variable = "TREMOLO_SHARED_MEMORY";
 
-/// To be called before ranks come together. On machines without that folder Open MPI chooses another.
+/// Call it before MPI is initialised. On machines without that folder Open MPI chooses another one.
 inline void use_shared_memory_of_run() {
   // NOLINTBEGIN(concurrency-mt-unsafe): no thread runs yet
   const char* folder = std::getenv(shared_memory_variable);

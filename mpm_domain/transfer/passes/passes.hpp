@@ -20,8 +20,8 @@ namespace tremolo::mpm_domain {
 
 std::vector<Pass> transfer_passes(Ground& ground);
 
-/// What reduced dispersion adds: the forces of the particles, which the scatter leaves out then, and u <- Q u
-/// when all else has been done to u (sharp_transfer.hpp).
+/// Additional passes of reduced dispersion: the forces of the particles, which the scatter then leaves out,
+/// and u <- Q u after all other changes of u (sharp_transfer.hpp).
 std::vector<Pass> sharp_passes(Ground& ground);
 
 } // namespace tremolo::mpm_domain

@@ -25,7 +25,7 @@ struct SoilFrame {
   /// @param has_water  whether there is a water table, without which no field of the pore water is written
   SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, bool has_water);
 
-  /// What the case asks for. They refer to the arrays.
+  /// The fields that the case requests; they refer to the arrays.
   std::vector<results::Field> fields(const scene::Case& scene) const;
 
   /// A field that particles carry.

@@ -17,7 +17,7 @@ namespace tremolo::mpm_domain {
 struct StructureFrame {
   StructureFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper);
 
-  /// What the case asks for; none where no structure is elastic. They refer to the arrays.
+  /// The fields that the case requests, which refer to the arrays; none without an elastic structure.
   std::vector<results::Field> fields(const scene::Case& scene) const;
 
   std::vector<double> position, size, displacement;
