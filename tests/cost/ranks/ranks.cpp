@@ -1,5 +1,5 @@
-// What a domain on several ranks costs, as CSV: the numbers that the model of docs/ranks-cost.md is made of
-// (ranks_model.py), and those that it is held against.
+// Cost of a domain on several ranks, as CSV: the parameters of the model of docs/ranks.md (ranks_model.py),
+// and the measurements that it is compared with.
 //
 //     mpirun -n N --bind-to none --oversubscribe cost_ranks steps COLUMNS ROWS STEPS   > steps.csv
 //     mpirun -n N --bind-to none --oversubscribe cost_ranks messages                   > messages.csv

@@ -1,4 +1,4 @@
-"""The cost of a domain on P ranks, one a node, with N particles in a flat box (docs/ranks-cost.md).
+"""The cost of a domain on P ranks, one a node, with N particles in a flat box (docs/ranks.md).
 
     T(N, P) = C + H + B + A + S + R
 

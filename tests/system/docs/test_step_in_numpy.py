@@ -17,7 +17,8 @@ TREMOLO, SOURCE = sys.argv.pop(1), Path(sys.argv.pop(1))
 sys.path.insert(0, str(SOURCE / "docs/examples/step_in_numpy"))
 sys.dont_write_bytecode = True
 
-from flat_box import PEAK, FlatBox
+from flat_box import FlatBox
+from plane_wave import PEAK
 
 CHANGES = {
     "size = 0.5": "size = 4.0",

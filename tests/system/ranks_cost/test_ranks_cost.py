@@ -1,4 +1,4 @@
-"""The bytes, messages and exchanges of the cost model (docs/ranks-cost.md) are those that ranks of the domain count.
+"""The bytes, messages and exchanges of the cost model (docs/ranks.md) are those that ranks of the domain count.
 
     usage: test_ranks_cost.py COST_RANKS MODEL_FOLDER MPIRUN
 """
