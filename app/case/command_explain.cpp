@@ -20,7 +20,7 @@ namespace tremolo::app {
 
 namespace {
 
-std::string told_of_ranks(const scene::Case& scene, const DomainRanks& ranks) {
+std::string ranks_section(const scene::Case& scene, const DomainRanks& ranks) {
   const auto reason = what_ranks_cannot_share(scene);
   if (!reason.empty())
     return fmt::format("\nRanks\n  {}\n", reason);
@@ -98,7 +98,7 @@ void add_explain(Command& app) {
     }
     fmt::print("{}  {}{}", scene::explain(scene, plan), motion_levels_text(scene), seepage_text(scene));
     if (ranks->count > 1)
-      fmt::print("{}", told_of_ranks(scene, *ranks));
+      fmt::print("{}", ranks_section(scene, *ranks));
     if (*values)
       print_values(scene);
   });

@@ -89,7 +89,7 @@ void SoilAtFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace
   Communicator& ranks = *ground.share->ranks;
   faces_ = SharedList(owners_of_faces(ground, faces), ranks);
   soil_.resize(faces.size());
-  tell_all(ranks, numbers_, shared_soil(ground, faces, faces_, soil_));
+  exchange_all(ranks, numbers_, shared_soil(ground, faces, faces_, soil_));
   nodes_ = nodes_near(ground, faces, soil_);
   std::vector<int> owner;
   for (const std::size_t node : nodes_) {
@@ -128,7 +128,7 @@ void SoilAtFaces::share(Ground& ground, std::span<const BoundaryFace> faces) {
                           for (NodeField* field : fields)
                             (*field)[nodes_[n]] = *numbers++;
                         }};
-  tell_all(*ground.share->ranks, numbers_, shared_soil(ground, faces, faces_, soil_), sums);
+  exchange_all(*ground.share->ranks, numbers_, shared_soil(ground, faces, faces_, soil_), sums);
 }
 
 } // namespace tremolo::mpm_domain

@@ -94,9 +94,9 @@ RigidLoad RigidBody::load(double gravity, const std::optional<WaterAround>& wate
     return load;
   }
   const mesh::PolygonMeasures below = mesh::measures(mesh::part_below(outline(), *level));
-  const double lift = water->unit_weight * below.area;
-  load.force.y += lift;
-  load.moment += lift * (below.x - centre_.x);
+  const double buoyancy = water->unit_weight * below.area;
+  load.force.y += buoyancy;
+  load.moment += buoyancy * (below.x - centre_.x);
   return load;
 }
 

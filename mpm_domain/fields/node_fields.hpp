@@ -1,8 +1,7 @@
 #pragma once
 
 // Quantities at the nodes of the grid, one array each. A pass names the group of fields that it works on;
-// clearing, folding of tied nodes, resizing and checkpoints run over a group and never over a list of their
-// own.
+// clearing, folding of tied nodes and resizing run over a group and never over a list of their own.
 
 #include <array>
 #include <cstddef>
@@ -91,7 +90,7 @@ struct NodeFields {
   /// Sums over the cell to the right of and above the node, whose ratio is a mean over its particles: their
   /// weights, and these times what changes in the step (cell_means.hpp).
   NodeField cell_weight, cell_change;
-  NodeField lift;           ///< what water takes off the weight, N/m
+  NodeField buoyancy;       ///< of submerged soil, N/m
   NodeField pore_volume;    ///< V n of wet soil, m2
   NodeField compression;    ///< V n e of wet soil, m2; then its mean e (pore_pressure.hpp), 1
   NodeField flux_x, flux_y; ///< v_s + n w: volume of grains and water through unit area, m/s
@@ -136,7 +135,7 @@ inline constexpr std::array node_field_table{
     NodeFieldDescription{"ay", "m/s2", NodeGroup::acceleration, &NodeFields::ay},
     NodeFieldDescription{"cell_weight", "that of the mean", NodeGroup::cell, &NodeFields::cell_weight},
     NodeFieldDescription{"cell_change", "that of the mean", NodeGroup::cell, &NodeFields::cell_change},
-    NodeFieldDescription{"lift", "N/m", NodeGroup::pores, &NodeFields::lift},
+    NodeFieldDescription{"buoyancy", "N/m", NodeGroup::pores, &NodeFields::buoyancy},
     NodeFieldDescription{"pore_volume", "m2", NodeGroup::pores, &NodeFields::pore_volume},
     NodeFieldDescription{"compression", "m2", NodeGroup::compression, &NodeFields::compression},
     NodeFieldDescription{"flux_x", "m/s", NodeGroup::volume_flux, &NodeFields::flux_x},
@@ -185,7 +184,7 @@ enum class Sum : std::size_t {
   water_force_y,
   wet_volume,
   resistance,
-  lift,
+  buoyancy,
   pore_volume,
   seepage_x,
   seepage_y,
@@ -205,7 +204,7 @@ inline constexpr std::array particle_sums{&NodeFields::mass,
                                           &NodeFields::water_force_y,
                                           &NodeFields::wet_volume,
                                           &NodeFields::resistance,
-                                          &NodeFields::lift,
+                                          &NodeFields::buoyancy,
                                           &NodeFields::pore_volume,
                                           &NodeFields::seepage_x,
                                           &NodeFields::seepage_y};
@@ -225,7 +224,7 @@ inline constexpr SumRange dry_sums = sums_between(Sum::mass, Sum::force_y);
 /// The sums of a scatter of soil with these traits: those of the soil, then those of its water.
 constexpr std::array<SumRange, 2> scattered_sums(NodeTraits traits) {
   const SumRange of_water = traits.flowing ? sums_between(Sum::water_mass, Sum::pore_volume)
-                                           : sums_between(Sum::lift, Sum::pore_volume);
+                                           : sums_between(Sum::buoyancy, Sum::pore_volume);
   return {dry_sums, traits.wet ? of_water : SumRange{0, 0}};
 }
 

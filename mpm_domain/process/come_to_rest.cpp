@@ -21,7 +21,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 /// Warning about bodies that friction alone does not hold at rest.
-std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t>& bodies) {
+std::string slipping_text(const Domain& domain, const std::vector<std::size_t>& bodies) {
   std::string names;
   for (const std::size_t b : bodies)
     names += fmt::format("{}'{}'", names.empty() ? "" : ", ", domain.contact.bodies()[b].name());
@@ -37,7 +37,7 @@ std::string told_of_slipping(const Domain& domain, const std::vector<std::size_t
 }
 
 /// "'clay' (120 particles, x = 3 to 12.5 m, y = -4 to -1 m)", with commas.
-std::string told_of_cut(const std::vector<CutStress>& cut) {
+std::string cut_text(const std::vector<CutStress>& cut) {
   std::string text;
   for (const CutStress& of : cut)
     text += fmt::format("{}'{}' ({} particle{}, x = {:.4g} to {:.4g} m, y = {:.4g} to {:.4g} m)",
@@ -47,7 +47,7 @@ std::string told_of_cut(const std::vector<CutStress>& cut) {
 }
 
 /// "structure 'tower' has moved by 0.4 mm in x and -12 mm in y and turned by 0.01 degrees", with commas.
-std::string told_of_ways(const std::vector<StructureWay>& ways) {
+std::string ways_text(const std::vector<StructureWay>& ways) {
   std::string text;
   for (const StructureWay& structure : ways)
     text += fmt::format("{}'{}' has moved by {:.3g} mm in x and {:.3g} mm in y and turned by {:.3g} degrees",
@@ -65,20 +65,20 @@ std::string forces_of_props(const Domain& domain) {
   return text;
 }
 
-void tell(const Domain& domain, const Reactions& reactions) {
+void report(const Domain& domain, const Reactions& reactions) {
   if (domain.props.any())
     fmt::print("note: when the shaking starts, props have the forces {} (tension positive)\n",
                forces_of_props(domain));
   if (!reactions.ways.empty())
     fmt::print("note: {} in the stages before the shaking, in which frames show where it has gone; its "
                "motion in run.h5 counts from where it was placed\n",
-               told_of_ways(reactions.ways));
+               ways_text(reactions.ways));
   if (!reactions.cut.empty())
     fmt::print("warning: the laws of these soils cannot hold the stress at rest and have cut it: {} of "
                "{} particles; the soil there is not at rest, a gentler slope or stronger soil would be\n",
-               told_of_cut(reactions.cut), domain.particle_count());
+               cut_text(reactions.cut), domain.particle_count());
   if (reactions.slipping)
-    fmt::print("warning: {}\n", told_of_slipping(domain, reactions.slipping_bodies));
+    fmt::print("warning: {}\n", slipping_text(domain, reactions.slipping_bodies));
 }
 
 /// Leaves a frame of ground that has found no rest: its velocities show where it moves.
@@ -163,7 +163,7 @@ AtRest come_to_rest(Domain& domain, const RunOfCase& run, const results::Checkpo
   }
   const Reactions reactions = stages.finish();
   if (run.client != nullptr)
-    tell(domain, reactions);
+    report(domain, reactions);
   replace_constraints(domain, reactions);
   watch.stop();
   return {.seconds = watch.seconds()};

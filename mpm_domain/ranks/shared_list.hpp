@@ -44,7 +44,7 @@ SharedRows(const SharedList*, std::size_t, Read, Write) -> SharedRows<Read, Writ
 /// All ranks pass what they know of some lists to each other, in one message.
 /// @param numbers  room for it
 template <typename... Lists>
-void tell_all(Communicator& ranks, std::vector<double>& numbers, const Lists&... lists) {
+void exchange_all(Communicator& ranks, std::vector<double>& numbers, const Lists&... lists) {
   const auto me = static_cast<std::size_t>(ranks.rank());
   std::vector<int> lengths;
   for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks.size()); ++rank)

@@ -43,30 +43,30 @@ void sort(Domain& domain, Step& step) {
     order(domain, step);
 }
 
-/// The first rank tells all what structures have changed of velocities that faces see, since each works out
+/// The first rank broadcasts the velocities at faces that structures have changed, since each rank computes
 /// the whole boundary.
-void tell_of_structures(Domain& domain) {
+void share_structure_velocities(Domain& domain) {
   Grid& grid = domain.grid;
   std::vector<NodeField*> fields{&grid.vx_after, &grid.vy_after};
   if (domain.has_flow())
     fields.insert(fields.end(), {&grid.wx_after, &grid.wy_after});
-  std::vector<double*> told;
+  std::vector<double*> shared;
   for (const std::size_t node : domain.boundary.shared_nodes()) {
     const Vector place = domain.place_of(node).at;
     if (std::ranges::any_of(domain.share->structures, [&](const mesh::Rectangle& box) {
           return place.x > box.x_min && place.x < box.x_max && place.y > box.y_min && place.y < box.y_max;
         }))
       for (NodeField* const field : fields)
-        told.push_back(&(*field)[node]);
+        shared.push_back(&(*field)[node]);
   }
-  if (told.empty())
+  if (shared.empty())
     return;
   std::vector<double> numbers;
-  for (const double* const number : told)
+  for (const double* const number : shared)
     numbers.push_back(*number);
   domain.share->ranks->follow_first(numbers);
-  for (std::size_t n = 0; n < told.size(); ++n)
-    *told[n] = numbers[n];
+  for (std::size_t n = 0; n < shared.size(); ++n)
+    *shared[n] = numbers[n];
 }
 
 /// One message has what this step books and what bounds the next one.
@@ -95,7 +95,8 @@ std::vector<Pass> step_passes(Domain& domain) {
   if (!domain.share)
     return passes;
   if (!domain.share->structures.empty())
-    passes.push_back({Phase::contact, "structures at faces", [&](Step&) { tell_of_structures(domain); }});
+    passes.push_back(
+        {Phase::contact, "structures at faces", [&](Step&) { share_structure_velocities(domain); }});
   passes.push_back({Phase::settle, "totals over ranks", [&](Step& step) { settle(domain, step); }});
   return passes;
 }

@@ -163,8 +163,8 @@ struct WaterPhase {
 /// the pressure follows the change of volume.
 template <typename Group>
 std::array<Lanes, 2> numbers_of_water(const Particles& p, std::size_t k, Group group, double gravity) {
-  const Lanes lift = (1.0 - p.weight_share) * gravity * group.load(&p.mass[k]);
-  return {lift, takes_pressure(p) ? pore_volume(p, k, group) : Lanes{}};
+  const Lanes buoyancy = (1.0 - p.weight_share) * gravity * group.load(&p.mass[k]);
+  return {buoyancy, takes_pressure(p) ? pore_volume(p, k, group) : Lanes{}};
 }
 
 } // namespace tremolo::mpm_domain

@@ -178,7 +178,7 @@ template <typename Sums, std::size_t rows, typename To, typename Add>
 /// Sums that pore water adds to those of the soil at the nodes.
 enum class PoreWaterCoupling {
   none,
-  numbers, ///< what it takes off the weight, and pore volumes
+  numbers, ///< buoyancy and pore volumes
   flow,    ///< these, and water that flows with its mass, momentum, force, drag
 };
 
@@ -254,11 +254,11 @@ template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, 
       scatter_numbers<4>(k, count, w, window + WaterPhase::first_scalar * window_nodes,
                          [&](std::size_t of, auto group) {
                            const auto [volume, resistance] = WaterPhase::scalars_of(p, of, group);
-                           const auto [lift, pores] = numbers_of_water(p, of, group, gravity);
-                           return std::array{volume, resistance, lift, pores};
+                           const auto [buoyancy, pores] = numbers_of_water(p, of, group, gravity);
+                           return std::array{volume, resistance, buoyancy, pores};
                          });
     if constexpr (force && coupling == PoreWaterCoupling::numbers)
-      scatter_numbers<2>(k, count, w, window + static_cast<std::size_t>(Sum::lift) * window_nodes,
+      scatter_numbers<2>(k, count, w, window + static_cast<std::size_t>(Sum::buoyancy) * window_nodes,
                          [&](std::size_t of, auto group) { return numbers_of_water(p, of, group, gravity); });
   }
   return seen.rows();

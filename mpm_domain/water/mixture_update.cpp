@@ -169,7 +169,7 @@ struct OfVelocity {
   const NodeField &x, &y;
 };
 
-/// Sum of (lift e_y + seepage force) . (a + b), W/m
+/// Sum of (buoyancy e_y + seepage force) . (a + b), W/m
 ExactSums<1> power_of_lift(Ground& ground, std::span<const NodeRange> rows, const OfVelocity& a,
                            const OfVelocity& b) {
   const Grid& grid = ground.grid;
@@ -180,7 +180,7 @@ ExactSums<1> power_of_lift(Ground& ground, std::span<const NodeRange> rows, cons
       const auto of = [&](const NodeField& va, const NodeField& vb) {
         return a.factor * group.load(&va[n]) + b.factor * group.load(&vb[n]);
       };
-      power += group.load(&grid.lift[n]) * of(a.y, b.y);
+      power += group.load(&grid.buoyancy[n]) * of(a.y, b.y);
       if (seeps)
         power +=
             group.load(&grid.seepage_x[n]) * of(a.x, b.x) + group.load(&grid.seepage_y[n]) * of(a.y, b.y);
@@ -191,13 +191,13 @@ ExactSums<1> power_of_lift(Ground& ground, std::span<const NodeRange> rows, cons
 
 } // namespace
 
-ExactSums<1> lift_power(Ground& ground, std::span<const NodeRange> rows) {
+ExactSums<1> buoyancy_power(Ground& ground, std::span<const NodeRange> rows) {
   const Grid& grid = ground.grid;
   return power_of_lift(ground, rows, {0.5, grid.vx_before, grid.vy_before},
                        {0.5, grid.vx_after, grid.vy_after});
 }
 
-ExactSums<1> lift_remap_power(Ground& ground, std::span<const NodeRange> rows) {
+ExactSums<1> buoyancy_remap_power(Ground& ground, std::span<const NodeRange> rows) {
   const Grid& grid = ground.grid;
   return power_of_lift(ground, rows, {1.0, grid.vx_after, grid.vy_after},
                        {-1.0, grid.vx_strain, grid.vy_strain});

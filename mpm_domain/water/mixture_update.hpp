@@ -49,10 +49,10 @@ ExactSums<1> remap_flux(Ground& ground, std::span<const NodeRange> nodes);
 
 /// Power of the buoyancy and of the seepage force on the mean of the velocities before and after the update,
 /// W/m. The update has booked the whole weight of what moves with the grains.
-ExactSums<1> lift_power(Ground& ground, std::span<const NodeRange> nodes);
+ExactSums<1> buoyancy_power(Ground& ground, std::span<const NodeRange> nodes);
 
 /// Power of the buoyancy and the seepage force on the difference between the velocity after the update and
 /// the remapped one, W/m.
-ExactSums<1> lift_remap_power(Ground& ground, std::span<const NodeRange> nodes);
+ExactSums<1> buoyancy_remap_power(Ground& ground, std::span<const NodeRange> nodes);
 
 } // namespace tremolo::mpm_domain

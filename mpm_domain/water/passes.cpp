@@ -62,12 +62,12 @@ void find_pressures_of_grains(Ground& ground, Step& step) {
 
 /// The update and the remap have booked all of the weight, and nothing of the seepage force.
 void book_lift(Ground& ground, Step& step) {
-  step.bookings.add(lift_power(ground, step.nodes.of(0)),
+  step.bookings.add(buoyancy_power(ground, step.nodes.of(0)),
                     [&energy = step.energy, kick = step.kicks.front()](const auto& power) {
                       energy.gravity += kick * power[0];
                     });
   if (ground.is_remapped())
-    step.book_transfer(-0.5 * step.kicks.front(), lift_remap_power(ground, step.nodes.of(0)));
+    step.book_transfer(-0.5 * step.kicks.front(), buoyancy_remap_power(ground, step.nodes.of(0)));
 }
 
 void pull_by_seepage(Ground& ground, Step& step) {

@@ -14,7 +14,7 @@ namespace tremolo::mpm_domain {
 namespace {
 
 /// The sums of all submerged soil.
-constexpr SumRange numbers = sums_between(Sum::lift, Sum::pore_volume);
+constexpr SumRange numbers = sums_between(Sum::buoyancy, Sum::pore_volume);
 
 /// Soil without pores, or whose water does not flow, lets none enter. Above the table soil without pores is
 /// open.
@@ -80,8 +80,8 @@ void add_mixture(Ground& ground, std::span<const SumRange> fields) {
           add_across_tile(tile, numbers, [&](std::size_t k, const FourWeights& w, const auto& add) {
             if (!p.water)
               return;
-            const auto [lift, pores] = numbers_of_water(p, k, FewerThanFour(1), ground.spec.gravity);
-            add(static_cast<std::size_t>(Sum::lift), lift[0] * w.s);
+            const auto [buoyancy, pores] = numbers_of_water(p, k, FewerThanFour(1), ground.spec.gravity);
+            add(static_cast<std::size_t>(Sum::buoyancy), buoyancy[0] * w.s);
             add(static_cast<std::size_t>(Sum::pore_volume), pores[0] * w.s);
           });
       });

@@ -6,9 +6,9 @@
 //     m_f,i = sum S n rho_f V,      p_f,i = sum S n rho_f V (v_f + C_f (x_i - x)),
 //     V_i = sum S V,                R_i = sum S V rho_f g/k,      f_i = sum V p_e grad S,
 //
-// and everywhere what water takes off the weight, NodeFields::lift, and pore volumes, sum S n V. Soil that
-// lets no water enter adds to the resistance what no drag can be, so that no water passes the nodes that it
-// touches. Soil and water go in one pass with the same weights.
+// and everywhere the buoyancy, NodeFields::buoyancy, and the pore volumes, sum S n V. Impermeable soil adds a
+// resistance larger than any drag, so that no water passes the nodes that it touches. Soil and water are
+// scattered in one pass with the same weights.
 
 #include "mpm_domain/ground.hpp"
 

@@ -55,14 +55,14 @@ double mobilised_angle_deg(double k0) {
 }
 
 std::vector<RestingSoil> resting_soils(const Case& scene, const std::vector<GroundColumn>& columns,
-                                       double lift) {
+                                       double above_bottom) {
   std::vector<RestingSoil> worst;
   for (const GroundColumn& ground : columns)
     for (const GroundPiece& piece : ground) {
       if (!piece.soil)
         continue;
       const materials::Law& law = scene.soils[*piece.soil].law;
-      const double y = std::min(piece.bottom + lift, 0.5 * (piece.bottom + piece.top));
+      const double y = std::min(piece.bottom + above_bottom, 0.5 * (piece.bottom + piece.top));
       const double vertical = vertical_stress(scene, ground, y);
       const auto share = vertical > 0.0
                              ? mobilised(law, vertical, materials::elasticity(law).rest_coefficient())

@@ -41,9 +41,9 @@ struct RestingSoil {
 };
 
 /// The worst place of each soil that has a failure line, one a name, over some columns.
-/// @param lift  how far above the lower end of a piece it is looked at, m
+/// @param above_bottom  how far above the lower end of a piece it is looked at, m
 std::vector<RestingSoil> resting_soils(const Case& scene, const std::vector<GroundColumn>& columns,
-                                       double lift = 0.0);
+                                       double above_bottom = 0.0);
 
 /// Columns of the domain: at both sides and through the middle of each region.
 std::vector<GroundColumn> columns_of_domain(const Case& scene);

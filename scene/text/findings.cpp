@@ -31,7 +31,7 @@ void Findings::add(const std::string& path, const Place& place, std::string text
   const bool is_error = severity_ == Severity::error;
   if (is_error)
     unsound_.insert(path);
-  if (!told_.insert(fmt::format("{}:{}:{}", place.line, place.column, text)).second)
+  if (!reported_.insert(fmt::format("{}:{}:{}", place.line, place.column, text)).second)
     return;
   (is_error ? errors_ : remarks_)
       .push_back({file_, place.line, place.column, place.table, std::move(text), severity_});

@@ -58,7 +58,7 @@ private:
   std::string file_;
   std::map<std::string, Place, std::less<>> places_;
   std::set<std::string, std::less<>> unsound_;
-  std::unordered_set<std::string> told_; ///< findings, by place and text
+  std::unordered_set<std::string> reported_; ///< findings, by place and text
   Severity severity_ = Severity::error;
   std::vector<Finding> errors_;
   std::vector<Finding> remarks_;

@@ -34,8 +34,9 @@ void stress_at_rest_is_carried(const Case& scene, Findings& findings) {
     if (resting.is_given)
       refuse(resting, "'rest_coefficient' is beyond the strength: " + text(scene, resting));
   // A column "fe" begins with the stress at rest as it is; the domain's gravity stage lets soil yield.
-  const double lift = 0.5 * scene.fe.element_size;
-  for (const RestingSoil& resting : resting_soils(scene, free_fields_at_rest(scene, SourceModel::fe), lift))
+  const double above_bottom = 0.5 * scene.fe.element_size;
+  for (const RestingSoil& resting :
+       resting_soils(scene, free_fields_at_rest(scene, SourceModel::fe), above_bottom))
     if (!resting.is_given)
       refuse(resting,
              fmt::format("the strength cannot hold the soil's own weight, with which a column \"fe\" "

@@ -44,13 +44,13 @@ void seepage_can_be_found(const Case& scene, Findings& findings) {
       !findings.sound("region"))
     return;
   refuse_levels(scene, *scene.water->seepage, findings);
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const Region& region : scene.regions)
     for (std::size_t s = region.soil; s <= region.soil + region.cuts.size() && s < scene.soils.size(); ++s) {
       const Soil& soil = scene.soils[s];
       const std::string path = "soil." + soil.name;
       const bool flows = soil.pores && soil.pores->permeability > 0.0;
-      if (!flows && findings.sound(path) && told.insert(soil.name).second)
+      if (!flows && findings.sound(path) && reported.insert(soil.name).second)
         findings.add(path,
                      fmt::format("missing '{}': with [water] seepage = true, water flows through all of the "
                                  "domain, and soil '{}' is part of it",

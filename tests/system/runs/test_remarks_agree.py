@@ -1,7 +1,7 @@
-"""check, explain and run tell the same warnings and notes, each with its place and its magnitude, and what they say of monitors is
-where the run's monitors are.
+"""check, explain and run print equal warnings and notes, each with its place and its magnitude, and the positions of monitors that
+they print are those of the run.
 
-    usage: test_told_alike.py TREMOLO PYTHON_PACKAGE_DIR
+    usage: test_remarks_agree.py TREMOLO PYTHON_PACKAGE_DIR
 """
 
 import json
@@ -24,45 +24,45 @@ def remarks(result):
             if re.search(r"case\.toml:\d+:\d+: (warning|note): ", line)]
 
 
-class ToldAlike(unittest.TestCase):
-    def told(self, work):
-        """What check, explain and run say of a case, which must be the same lines in the same order."""
+class RemarksAgree(unittest.TestCase):
+    def common_remarks(self, work):
+        """The remarks on a case by check, explain and run, which must be equal lines in equal order."""
         commands = {"check": ["check", work.case], "explain": ["explain", work.case],
                     "run": ["run", work.case, "--out", work.path / "run"]}
         results = {name: work.command(*words) for name, words in commands.items()}
         for name, result in results.items():
             self.assertEqual(0, result.returncode, name + result.stdout + result.stderr)
-        told = {name: remarks(result) for name, result in results.items()}
-        self.assertEqual(told["check"], told["explain"])
-        self.assertEqual(told["check"], told["run"])
-        return told["check"]
+        printed = {name: remarks(result) for name, result in results.items()}
+        self.assertEqual(printed["check"], printed["explain"])
+        self.assertEqual(printed["check"], printed["run"])
+        return printed["check"]
 
-    def magnitude(self, told, words):
+    def magnitude(self, printed, words):
         """The first number behind the words of the one remark that has them."""
-        [line] = [line for line in told if words in line]
+        [line] = [line for line in printed if words in line]
         return float(re.search(re.escape(words) + r"\s*([-+0-9.e]+)", line)[1])
 
     def test_of_a_pulse_at_the_wrong_time_in_a_box_of_wrong_density(self):
         with Workspace(TREMOLO, size=2.0, duration=0.2) as work:
             work.case.write_text(work.case.read_text().replace("time = 0.5", "time = 0.1").replace("density = 1700.0", "density = 1.7"))
-            told = self.told(work)
-            self.assertEqual(2, sum("'density' = 1.7 kg/m3 is that of no soil or rock" in line for line in told))
+            printed = self.common_remarks(work)
+            self.assertEqual(2, sum("'density' = 1.7 kg/m3 is that of no soil or rock" in line for line in printed))
             # The Ricker pulse of 3 Hz reaches the base when half of it has passed: its peak is missing, or its second half is late.
-            missing = self.magnitude(told, "what came earlier, up to")
-            self.assertTrue(1.0 < missing <= 100.0, told)
-            self.assertTrue(any(" of the incident wave's energy reaches the model after the run's end at 0.2 s" in line for line in told),
-                            told)
+            missing = self.magnitude(printed, "what came earlier, up to")
+            self.assertTrue(1.0 < missing <= 100.0, printed)
+            self.assertTrue(any(" of the incident wave's energy reaches the model after the run's end at 0.2 s" in line for line in printed),
+                            printed)
 
     def test_of_a_slope(self):
         with SlopeWorkspace(TREMOLO, duration=0.05) as work:
-            told = self.told(work)
-            self.assertTrue(any("free field" in line and "yield" in line for line in told), told)
-            self.assertTrue(any("after the run's end" in line for line in told), told)
+            printed = self.common_remarks(work)
+            self.assertTrue(any("free field" in line and "yield" in line for line in printed), printed)
+            self.assertTrue(any("after the run's end" in line for line in printed), printed)
 
     def test_monitors_are_where_the_note_says(self):
         with Workspace(TREMOLO, duration=0.05) as work:
-            told = self.told(work)
-            [line] = [line for line in told if 'monitor "surface"' in line]
+            printed = self.common_remarks(work)
+            [line] = [line for line in printed if 'monitor "surface"' in line]
             found = re.search(r"starts at \[(\S+), (\S+)\], (\S+) m from its point", line)
             x, y, distance = map(float, found.groups())
             history = Run(work.path / "run").monitor("surface")

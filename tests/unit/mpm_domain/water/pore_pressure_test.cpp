@@ -152,13 +152,13 @@ TEST_P(PorePressure, NodesShareOutWhatParticlesBring) {
   const double volume = sum([&](auto s, auto k) { return domain.sets[s].volume[k]; });
   const double pores = sum([&](auto s, auto k) { return pore_volume(domain.sets[s], k); });
   const double mass = sum([&](auto s, auto k) { return domain.sets[s].mass[k]; });
-  const double lift = sum([&](auto s, auto k) {
+  const double buoyancy = sum([&](auto s, auto k) {
     return (1.0 - domain.sets[s].weight_share) * domain.spec.gravity * domain.sets[s].mass[k];
   });
-  EXPECT_GT(lift, 0.0);
+  EXPECT_GT(buoyancy, 0.0);
   EXPECT_NEAR(at_nodes(grid.mass), mass, 1e-12 * mass);
   EXPECT_NEAR(at_nodes(grid.momentum_x), -0.2 * mass, 1e-12 * mass);
-  EXPECT_NEAR(at_nodes(grid.lift), lift, 1e-12 * lift);
+  EXPECT_NEAR(at_nodes(grid.buoyancy), buoyancy, 1e-12 * buoyancy);
   EXPECT_NEAR(at_nodes(grid.pore_volume), pores, 1e-12 * pores);
   EXPECT_NEAR(at_nodes(grid.wet_volume), volume, 1e-12 * volume);
   EXPECT_NEAR(at_nodes(grid.water_mass), 1000.0 * pores, 1e-9 * pores);
