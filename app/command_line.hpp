@@ -87,7 +87,7 @@ private:
   std::vector<std::unique_ptr<Command>> commands_;
 };
 
-/// From a callback: the command line lacks these.
+/// Reports, from a callback, that the command line lacks these options.
 [[noreturn]] void throw_required(const std::string& names);
 
 /// Calls the command that the command line names.

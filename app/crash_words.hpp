@@ -9,7 +9,7 @@ namespace tremolo::app {
 /// itself crashes over some.
 void explain_crashes(int argc, char** argv);
 
-/// That line for another process that a signal has ended. It is shorter where that was no crash.
+/// The line for another process that was ended by a signal; it is shorter if the signal was no crash.
 std::string crash_words(const std::string& command, int signal);
 
 } // namespace tremolo::app

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// What a newcomer needs.
+/// Help for a newcomer.
 constexpr const char* greeting =
     "tremolo: a large-deformation soil domain shaken through its boundaries by free-field models\n\n"
     "  tremolo new my_slope                a case folder to begin from (--like box, level_ground, tunnel, "

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a command may write. A file that it reads is never written over, nor is a file that is not its own:
-// one that exists is replaced where the command knows it as a file of the kind that it writes.
+// Protection of files: a command never overwrites a file that it reads, and replaces an existing file only if
+// it recognises it as the kind of file that it writes.
 
 #include <filesystem>
 #include <functional>

@@ -29,7 +29,7 @@ __m128i lane(const std::byte* at) {
   return _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
 }
 
-/// What sum contributes some bits further down, and the bytes that stand there.
+/// The contribution of `sum` at a later position, combined with the bytes there.
 /// @param remainders of x^(d+32) and x^(d-32) for a distance of d bits, reflected
 __attribute__((target("pclmul"))) __m128i folded(__m128i sum, __m128i remainders, __m128i bytes) {
   return _mm_xor_si128(

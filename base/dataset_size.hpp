@@ -1,7 +1,7 @@
 #pragma once
 
-// What tables take in an HDF5 file besides their numbers, for those who write them and those who say before a
-// run how much will be written. The overheads are those of libhdf5 1.10, rounded up from files that it wrote.
+// Overhead of tables in an HDF5 file, for their writers and for estimates before a run. The overheads are
+// those of libhdf5 1.10, rounded up from files that it wrote.
 
 #include <algorithm>
 #include <cstddef>

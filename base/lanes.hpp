@@ -19,7 +19,7 @@ using Lanes = double __attribute__((vector_size(32)));
 /// Lanes at an address that need not be aligned.
 using LanesInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 
-/// Which of the four take part: all bits of a lane set, or none.
+/// Mask of the four lanes: all bits of an active lane are set, none of the others.
 using LaneMask = std::int64_t __attribute__((vector_size(32)));
 
 inline Lanes load(const double* first) {

@@ -6,7 +6,7 @@
 
 namespace tremolo {
 
-/// What a process may take.
+/// Resource limits of a process.
 struct ProcessLimits {
   std::uint64_t memory_bytes = 0; ///< more than this process has
   unsigned cpu_seconds = 0;

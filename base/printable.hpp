@@ -6,9 +6,8 @@
 
 namespace tremolo {
 
-/// What another process says, as it may be shown on a terminal: control characters but for the end of a line
-/// and the tabulator, and bytes that are no UTF-8, become \xNN; what is longer than most bytes is cut, and
-/// says so.
+/// A text of another process, made safe for a terminal: control characters except line feed and tab, and
+/// bytes that are not UTF-8, become \xNN; a text longer than `most` bytes is cut, with a remark.
 std::string printable(std::string_view text, std::size_t most = 4096);
 
 /// printable() in one line: the ends of lines become \n.

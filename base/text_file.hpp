@@ -32,7 +32,7 @@ private:
 /// @throws as TextFile
 void write_text_file(const std::filesystem::path& file, std::string_view text);
 
-/// All that a file holds.
+/// The whole contents of a file.
 /// @throws std::runtime_error if it cannot be read
 std::string read_text_file(const std::filesystem::path& file);
 

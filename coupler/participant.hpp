@@ -1,8 +1,8 @@
 #pragma once
 
-// All that a participant of a run needs of the coupler: what it is given (ParticipantOptions, and
-// participant_main that reads them), what passes (field.hpp), and its side of the exchange, one class for
-// either role. tremolo's own processes use nothing else.
+// The coupler's interface for participants of a run: their options (ParticipantOptions, and participant_main,
+// which reads them), the exchanged data (field.hpp), and their side of the exchange, one class for either
+// role. tremolo's own processes use nothing else.
 //
 // A source, which serves free fields:                  The domain, which takes them:
 //
@@ -115,7 +115,7 @@ public:
   void ready(const std::vector<ExchangedFace>& faces, double start_time, double end_time,
              const std::optional<FirstStep>& first = {});
 
-  /// What a step has brought.
+  /// Data received in a step.
   struct Exchanged {
     std::span<const eq6::FreeField> free_field; ///< at each face; until the next step
     double waiting_seconds = 0.0;               ///< wall time spent waiting for the exchange so far
@@ -200,7 +200,7 @@ private:
   Timeline timeline_; ///< from WELCOME on
 };
 
-/// What DomainClient::checkpoint() saved, in a run that is resumed; nothing in one that begins.
+/// The state that DomainClient::checkpoint() saved, in a resumed run; null in a new one.
 /// @throws std::runtime_error with both values for the file of another case or schema; or damaged
 std::unique_ptr<results::CheckpointReader> saved_state(const ParticipantOptions& options);
 

@@ -16,7 +16,7 @@ namespace tremolo::results {
 /// Version of what the files of a set hold; a set of another version is refused.
 inline constexpr std::string_view checkpoint_schema_version = "1.8";
 
-/// What a file belongs to. It is read again only where all of it is the same.
+/// Identity of the run that a checkpoint belongs to; the file is read only if all of it agrees.
 struct CheckpointIdentity {
   std::string participant;
   std::string case_crc;   ///< CRC-32 of the case's text, 8 hexadecimal digits

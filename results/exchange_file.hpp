@@ -46,7 +46,7 @@ struct RecordedValue {
   friend bool operator==(const RecordedValue&, const RecordedValue&) = default;
 };
 
-/// What is known before the first frame.
+/// Facts known before the first frame.
 struct ExchangeDescription {
   std::string session;
   std::string mode; ///< "window" or "lockstep"

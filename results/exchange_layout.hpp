@@ -1,6 +1,6 @@
 #pragma once
 
-// How the values of a step are spread over datasets, shared by the writer and the reader of exchanges.
+// Layout of a step's values in datasets, shared by the writer and the reader of exchanges.
 
 #include "results/hdf5/hdf5_read.hpp"
 
@@ -19,13 +19,13 @@ struct Quantity {
   std::size_t components = 0;
 };
 
-/// What a source sends of a level.
+/// Quantities that a source sends for each level.
 inline constexpr std::array<Quantity, 4> field_quantities{{{"velocity", "m/s", 0, 2},
                                                            {"stress", "Pa", 2, 3},
                                                            {"velocity_rate", "m/s2", 5, 2},
                                                            {"stress_rate", "Pa/s", 7, 3}}};
 
-/// What the hub sends of a face in mode lockstep.
+/// Quantities that the hub sends for each face in mode lockstep.
 inline constexpr std::array<Quantity, 3> traction_quantities{
     {{"traction", "Pa", 0, 2}, {"free_field_velocity", "m/s", 2, 2}, {"free_field_stress", "Pa", 4, 3}}};
 

@@ -168,8 +168,7 @@ void FreeFieldRecording::read(std::size_t field, std::uint64_t step, std::span<d
                                         step, fields()[field].name, values.size(), fields()[field].step_count,
                                         levels * recorded_values));
   }
-  // In memory the quantities of a level stand side by side: a selection of columns of [levels,
-  // recorded_values].
+  // In memory the quantities of a level are adjacent: a selection of columns of [levels, recorded_values].
   const std::array<hsize_t, 2> memory_shape{levels, recorded_values};
   const Handle memory(H5Screate_simple(2, memory_shape.data(), nullptr), H5Sclose);
   for (std::size_t q = 0; q < field_quantities.size(); ++q) {

@@ -50,7 +50,7 @@ class FreeFieldRecording {
 public:
   /// @throws std::runtime_error for a file that is no recording, naming what is missing or has another shape
   explicit FreeFieldRecording(const std::filesystem::path& file);
-  /// What a source sent in a recorded exchange (exchange_file.hpp), as far as it is held.
+  /// Opens the part of a recorded exchange (exchange_file.hpp) that a source sent, as far as it was stored.
   FreeFieldRecording(const std::filesystem::path& exchange, const std::string& source);
   ~FreeFieldRecording();
   FreeFieldRecording(const FreeFieldRecording&) = delete;

@@ -30,8 +30,8 @@ struct Field {
   std::variant<std::span<const double>, std::span<const std::int32_t>> values; ///< [particles * components]
 };
 
-/// What frames may have beside the soil's particles, and their groups: contact nodes, and particles of
-/// elastic structures.
+/// Groups that frames may have besides the soil's particles: contact nodes, and particles of elastic
+/// structures.
 inline constexpr std::array<std::string_view, 2> frame_parts{"contact", "structures"};
 
 /// Fields of one of them at the time of a frame; none: the run has no such part.
@@ -73,7 +73,7 @@ struct BoundaryFaces {
   std::vector<std::string> source; ///< [faces] the participant that serves the face
 };
 
-/// What passes through the faces at one time; all arrays [faces * 2].
+/// Velocities and tractions at the faces at one time; all arrays [faces * 2].
 struct BoundarySample {
   std::span<const double> free_field_velocity; ///< v^ff, m/s
   std::span<const double> domain_velocity;     ///< v^m, m/s

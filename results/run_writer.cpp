@@ -87,7 +87,7 @@ struct BoundaryDataset {
   std::vector<double> pending;
 };
 
-/// What grows below /boundary; the time is written last.
+/// The growing datasets below /boundary; the time is written last.
 std::vector<BoundaryDataset> boundary_datasets(Place group, hsize_t faces) {
   const std::array<hsize_t, 2> vectors{faces, 2};
   std::vector<BoundaryDataset> datasets;

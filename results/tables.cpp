@@ -1,4 +1,4 @@
-// What is written to files of tables and to runs whose process has ended.
+// Writing to files of tables and to runs whose process has ended.
 
 #include "results/hdf5/hdf5_read.hpp"
 #include "results/hdf5/hdf5_write.hpp"

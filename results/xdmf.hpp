@@ -12,7 +12,7 @@
 
 namespace tremolo::results {
 
-/// What XDMF needs to know of one field of a frame.
+/// Description of one field of a frame for XDMF.
 struct XdmfField {
   std::string name;
   std::size_t components = 1;

@@ -44,7 +44,7 @@ void write_in_new_folder(const fs::path& file, const std::string& text) {
   write_page(file, text);
 }
 
-/// Where man(1) and the shells look for them below share/ of an installation.
+/// Writes the pages to the folders below share/ in which man(1) and the shells look for them.
 void write_manual(const CommandTable& table, const fs::path& folder) {
   const std::string version = table.program + " " TREMOLO_VERSION;
   write_in_new_folder(folder / "man/man1" / (table.program + ".1"), man_page(table, version));

@@ -27,8 +27,8 @@ inline constexpr const char* width_key = "width";
 /// @throws std::invalid_argument where it is not written so, or a value stands twice
 Knob knob_from(const std::string& text);
 
-/// What is worth trying on any case: cells of four, two and one times the case's size, both transfers without
-/// dissipation, and the step of the case and one near the stability limit.
+/// Variants worth trying on any case: cells of four, two and one times the case's size, both transfers
+/// without dissipation, and the step of the case and one near the stability limit.
 std::vector<Knob> default_knobs(const scene::Case& scene);
 
 /// One combination.

@@ -62,7 +62,7 @@ std::string fit_text(const CostFit& fit) {
                      within(fit.time_spread));
 }
 
-/// What reaches the target.
+/// A text on the cheapest way to reach the target.
 std::string answer(const CostStudy& study) {
   std::string text;
   const auto points = study.points();

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `tremolo cost` says and writes: the table for people, cost.csv, and cost.json for the picture.
+// Output of `tremolo cost`: the table for people, cost.csv, and cost.json for the picture.
 
 #include "app/cost/cost_front.hpp"
 #include "app/cost/cost_ladder.hpp"

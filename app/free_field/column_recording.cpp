@@ -24,7 +24,7 @@ namespace tremolo::app {
 
 namespace {
 
-/// In the order of a recording, level after level of one step.
+/// The values in the order of a recording: step by step, level after level.
 std::vector<double> in_steps(const FreeFieldSeries& series) {
   std::vector<double> values;
   values.reserve(series.samples.size() * results::recorded_values);

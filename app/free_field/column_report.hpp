@@ -16,10 +16,10 @@ namespace tremolo::app {
 std::vector<double> outcrop_acceleration(const scene::Case& scene, const scene::SourceProcess& source,
                                          const wavefield::TimeGrid& times);
 
-/// What engineers look at in a free field (docs/output-format.md).
+/// Results of a free field for engineers (docs/output-format.md).
 struct ColumnResults {
   std::vector<results::NamedTable> histories; ///< /monitors/PLACE: motion, stress and strain over time
-  /// In the order of the histories:
+  /// The tables, in the order of the histories:
   ///   /levels     places of the histories
   ///   /profile    peak values over depth
   ///   /spectra    response spectra at 5 % of critical damping, surface and outcrop

@@ -33,7 +33,7 @@ struct DeconvolvedMotion {
   std::vector<std::string> warnings;
 };
 
-/// By the layers of the source: its model is wave or eql.
+/// Deconvolves with the layers of the source, whose model must be wave or eql.
 /// @throws as equivalent_linear_from_case() and incident_from_record()
 DeconvolvedMotion deconvolved(const scene::Case& scene, const scene::SourceProcess& source,
                               const GroundRecord& given);

@@ -43,7 +43,7 @@ wavefield::Point parse_point(std::string_view line, double surface_level) {
   return {xy[0], xy[1]};
 }
 
-/// What a range of numbers is of, for messages.
+/// Words for a range of numbers in messages.
 struct RangeWords {
   std::string_view what; ///< e.g. times
   char letter;

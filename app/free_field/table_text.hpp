@@ -17,7 +17,7 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// The words between blanks.
 std::vector<std::string_view> words(std::string_view text);
 
-/// Nothing for what is no number, or not a finite one.
+/// The number in a text; empty unless it is a finite number.
 std::optional<double> finite_number(std::string_view text);
 
 } // namespace tremolo::app

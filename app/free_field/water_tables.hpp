@@ -21,7 +21,7 @@ double initial_effective_stress(const scene::Case& scene, const scene::SourcePro
 void add_water(const scene::Case& scene, const scene::SourceProcess& source, const FreeFieldSeries& series,
                std::size_t level, results::Table& history);
 
-/// What a liquefying free field is judged by (docs/output-format.md):
+/// Tables for judging a liquefying free field (docs/output-format.md):
 ///   /water       excess pore pressure over depth and time
 ///   /settlement  of the surface relative to the base, over time
 ///   /initial     effective stress and pore pressure before shaking, largest r_u, settlement at the end, over

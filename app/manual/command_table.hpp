@@ -1,7 +1,7 @@
 #pragma once
 
-// What a command line takes, as a table: man pages, completions for shells and the page of commands are
-// written from it.
+// The commands and options as a table, from which man pages, shell completions and the page of commands are
+// written.
 
 #include <string>
 #include <vector>

@@ -6,8 +6,8 @@
 
 namespace tremolo::app {
 
-// What the shells read to complete a command line: commands first, then a command's options and the values of
-// those that have a list; file names elsewhere.
+// Completion script for shells: commands first, then a command's options and the values of those that have a
+// list; file names elsewhere.
 
 std::string bash_completion(const CommandTable& table);
 std::string zsh_completion(const CommandTable& table);

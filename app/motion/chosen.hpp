@@ -9,7 +9,7 @@
 
 namespace tremolo::app {
 
-/// What an option names, nothing if it was not given.
+/// The value that an option names; empty if the option was not given.
 /// @param named  the value of a word, nothing if there is none
 /// @throws std::invalid_argument for a word that is not known
 template <class Enum>

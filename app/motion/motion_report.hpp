@@ -1,6 +1,6 @@
 #pragma once
 
-// What `tremolo motion` says of a motion: its measures as text, its histories and spectra as tables.
+// The report of `tremolo motion`: a motion's measures as text, its histories and spectra as tables.
 
 #include "motion/mend/spectral_match.hpp"
 #include "motion/record.hpp"
@@ -20,7 +20,7 @@ std::string motion_report(const motion::Record& record, const std::string& name)
 /// The warning that belongs to it, empty where the motion ends at rest.
 std::string motion_warning(const motion::Record& record);
 
-/// What `--unit` changed where the file names another unit; empty where they agree.
+/// A warning if `--unit` overrides the unit that the file names; empty if they agree.
 std::string unit_warning(const motion::Record& record);
 
 /// Columns t (s), a (m/s2), v (m/s), d (m). Every table @throws std::runtime_error where it cannot be

@@ -30,7 +30,7 @@ struct MotionSteps {
   std::optional<motion::MotionKind> kind;
 };
 
-/// How near a motion came to its target spectrum.
+/// Misfit of a motion to its target spectrum.
 struct Matched {
   double before = 0.0; ///< largest misfit of the scaled motion
   double after = 0.0;  ///< largest misfit

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a command learns what a file of a motion holds.
+// Options by which a command learns the contents of a motion file.
 
 #include "app/command_line.hpp"
 #include "motion/read/read.hpp"
@@ -13,7 +13,7 @@ namespace tremolo::app {
 inline constexpr const char* record_formats = "PEER, K-NET, SMC, COSMOS, CSMIP, GeoNet, ESM and other "
                                               "networks' texts, a table of time and values, or HDF5";
 
-/// What the file may leave open; empty where it is not given.
+/// Properties that the file may leave open; empty if not given.
 struct RecordOptions {
   std::string quantity;
   std::string unit;

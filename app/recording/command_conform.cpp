@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What the program has to serve where no case is named.
+/// The case that the program has to serve if none is named.
 constexpr std::string_view built_in_case = R"(
 title = "conformance: a small box under a vertical SV pulse"
 

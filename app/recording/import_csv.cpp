@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, imported_values> value_names{"vx", "vy", "sxx", "syy", "sxy"};
 
-/// Where the columns of a table stand.
+/// Positions of a table's columns.
 struct Columns {
   std::size_t count = 0;
   std::size_t time = 0;

@@ -1,4 +1,4 @@
-// From a motion as read to a field that can be recorded: units, signs, even steps, rates.
+// Conversion of an imported motion into a field that can be recorded: units, signs, even steps, rates.
 
 #include "app/recording/import_motion.hpp"
 

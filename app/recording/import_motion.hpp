@@ -24,7 +24,7 @@ namespace tremolo::app {
 /// Values of a level and time: vx, vy, sxx, syy, sxy.
 inline constexpr std::size_t imported_values = 5;
 
-/// What the user says of the files.
+/// Conventions of the files as stated by the user.
 struct Conventions {
   double velocity_unit = 1.0; ///< m/s
   double stress_unit = 1.0;   ///< Pa
@@ -57,9 +57,9 @@ struct ReadMotion {
 /// @throws std::runtime_error naming file, line and what is wrong
 ReadMotion read_motion_csv(const std::vector<std::filesystem::path>& files, bool depth_down);
 
-/// What OpenSees recorders wrote: nodal velocities and element stresses, each with the time first, and a
-/// table `kind,tag,depth` of the nodes and elements in the order of the recorders' columns. Stresses are
-/// interpolated linearly in depth from the elements' centres to the nodes.
+/// Reads the output of OpenSees recorders: nodal velocities and element stresses, each with the time first,
+/// and a table `kind,tag,depth` of the nodes and elements in the order of the recorders' columns. Stresses
+/// are interpolated linearly in depth from the elements' centres to the nodes.
 /// @throws std::runtime_error naming file, line and what is wrong
 ReadMotion read_motion_opensees(const std::filesystem::path& velocities,
                                 const std::filesystem::path& stresses, const std::filesystem::path& points,
@@ -70,7 +70,7 @@ ReadMotion read_motion_opensees(const std::filesystem::path& velocities,
 /// @throws std::runtime_error for uneven steps that are not to be resampled
 coupler::ServedSeries field_from(const ReadMotion& motion, const Conventions& conventions);
 
-/// What was found of an imported field, for people.
+/// Findings on an imported field, as text.
 /// @throws std::runtime_error where units, signs or the start are wrong, saying which option is the likely
 /// one
 std::vector<std::string> check_imported(const coupler::ServedSeries& series, const Conventions& conventions);

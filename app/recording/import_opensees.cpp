@@ -117,8 +117,8 @@ std::size_t velocity_components(const Recorder& velocities, std::size_t nodes) {
   return components;
 }
 
-/// Where the stresses of an element stand: of each integration point xx, yy, xy, or xx, yy, zz, xy and
-/// perhaps one number more.
+/// Columns of an element's stresses: xx, yy, xy of each integration point, or xx, yy, zz, xy and perhaps one
+/// number more.
 struct StressColumns {
   std::size_t points = 1;
   std::size_t components = 3;

@@ -138,7 +138,7 @@ results::Table timeline_table(const std::vector<coupler::ProcessSummary>& summar
            {"duration", "s", durations}}};
 }
 
-/// Where the case asks for a recording of the exchange.
+/// The recorder of the exchange, if the case requests one.
 std::unique_ptr<coupler::ExchangeRecorder> recorder_of(const scene::Case& scene, const CaseRun& run,
                                                        const coupler::LaunchOptions& options) {
   if (!scene.recording.exchange)
@@ -194,7 +194,7 @@ std::vector<std::string> remarks_of(const std::string& process, const fs::path& 
   return remarks;
 }
 
-/// A run whose recording came to nothing only at its very end fails too, unless the case lets it go on.
+/// A run whose recording fails only at its very end fails too, unless the case lets it go on.
 void finish_recording(coupler::ExchangeRecorder* recorder, const scene::Recording& recording,
                       ProgressLine& line) {
   if (recorder == nullptr)

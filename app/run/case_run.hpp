@@ -26,7 +26,7 @@ struct CaseRun {
   std::optional<coupler::CheckpointSet> resume{}; ///< goes on from there, in a folder that has it
 };
 
-/// What the checkpoints of a run of this case depend on.
+/// The properties of a case on which the checkpoints of its run depend.
 coupler::RunIdentity identity_of(const scene::Case& scene, const std::optional<std::string>& mode);
 
 /// Whether the run in a folder has written all its results.

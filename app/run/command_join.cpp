@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// How many bytes of a participant's log are shown.
+/// Number of bytes of a participant's log that are shown.
 constexpr std::size_t most_log_bytes = 65536;
 
 struct JoinArguments {

@@ -82,7 +82,7 @@ scene::Side first_side(const results::ExchangeSource& source) {
   return *std::ranges::find(all_sides, source.serves.front(), [](scene::Side side) { return name(side); });
 }
 
-/// What each replayed side is served from.
+/// The recording that serves each replayed side.
 std::map<scene::Side, scene::RecordedSide> replays(const std::vector<std::string>& names) {
   std::map<scene::Side, scene::RecordedSide> sides;
   for (const auto& text : names) {

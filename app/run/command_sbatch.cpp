@@ -58,7 +58,7 @@ std::string in_double_quotes(const fs::path& path) {
   return fmt::format("\"{}\"", text);
 }
 
-/// What the job asks for, as lines of its script, and in words.
+/// Resources that the job requests, as lines of its script and as text.
 struct Request {
   std::string words;
   std::string lines;

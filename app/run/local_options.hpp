@@ -1,6 +1,6 @@
 #pragma once
 
-// What the command line says about how a run's processes are started and talk; `run` and `resume` share it.
+// Command-line options for starting and connecting a run's processes, shared by `run` and `resume`.
 
 #include "app/command_line.hpp"
 #include "app/run/hosts/domain_ranks.hpp"
@@ -15,7 +15,7 @@ namespace tremolo::app {
 /// Threads that a process may have; more are a slip of the finger.
 inline constexpr int most_threads = 1024;
 
-/// As many threads as the machine runs at once.
+/// Number of hardware threads of the machine.
 int machine_threads();
 
 struct LocalOptions {

@@ -11,7 +11,7 @@ namespace tremolo::app {
 /// The file of a program: ours lie beside this one; that of a user has a path of its own.
 std::filesystem::path located(const std::string& program);
 
-/// What a source is given besides the options that all participants have.
+/// Arguments of a source besides the options that all participants have.
 std::vector<std::string> own_arguments(const scene::FreeFieldModel& field);
 
 } // namespace tremolo::app

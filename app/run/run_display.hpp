@@ -1,6 +1,6 @@
 #pragma once
 
-// What the user of `tremolo run` sees: a progress line while it runs, a summary at its end.
+// Display of `tremolo run`: a progress line while it runs, a summary at its end.
 
 #include "coupler/launch/launcher.hpp"
 

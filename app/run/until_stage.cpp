@@ -32,7 +32,7 @@ std::size_t stage_named(const std::string& until, const std::vector<scene::Plann
                                           scene::suggestion(until, names)));
 }
 
-/// How many stages were over when a checkpoint was made.
+/// Number of completed stages when a checkpoint was made.
 std::size_t stages_over(const scene::Case& scene, const coupler::CheckpointSet& set) {
   const results::CheckpointReader domain(set.folder / "domain.h5",
                                          {"domain", coupler::text_crc(set.run.case_text), set.step});

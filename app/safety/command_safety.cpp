@@ -75,7 +75,7 @@ void require_in_soil(const mpm_domain::Ground& ground, const char* option, Vecto
                     option, point.x, point.y, away));
 }
 
-/// The model of which only what lies between two points may fail.
+/// The model in which only the soil between two points may fail.
 mpm_domain::Spec between(const mpm_domain::Spec& spec, const Ends& ends) {
   const mpm_domain::Ground ground(spec);
   require_in_soil(ground, "--from", ends.from);
@@ -127,7 +127,7 @@ std::string mechanism_text(const std::vector<mpm_domain::MovingPoint>& mechanism
   return text;
 }
 
-/// What the trials say, in a sentence.
+/// A sentence on the result of the trials.
 std::string answer(const mpm_domain::FactorOfSafety& safety) {
   if (safety.stands && safety.fails)
     return fmt::format("factor of safety {:.3g}: stands with {:.4g}, fails with {:.4g}\n", *safety.stands,
@@ -144,7 +144,7 @@ std::string answer(const mpm_domain::FactorOfSafety& safety) {
   return fmt::format("factor of safety below {0:g}: fails with {0:g}\n", *safety.fails);
 }
 
-/// Where the soil lies that fails, and what to think of that.
+/// A text on the position of the failing soil, and its interpretation.
 std::string place_of_failure(const mpm_domain::FactorOfSafety& safety, double cell_size,
                              const std::optional<Ends>& ends) {
   std::string text;
@@ -173,7 +173,7 @@ void require_place(const Options& options) {
                       {options.case_file});
 }
 
-/// Where nothing fails, no mechanism is left from an earlier call either.
+/// If nothing fails, the mechanism of an earlier call is removed as well.
 void write(const Options& options, const std::vector<mpm_domain::StrengthTrial>& trials,
            const mpm_domain::FactorOfSafety& safety) {
   write_text_file(options.out / "safety.csv", trials_text(trials));

@@ -35,7 +35,7 @@ soiltest::Calibration fit(const scene::SoilTestFile& file) {
       {.guess = target.guess, .least = target.least, .most = target.most});
 }
 
-/// Where the wanted stress ratio comes from.
+/// A text on the origin of the wanted stress ratio.
 std::string target_text(const scene::SoilTestFile& file) {
   const auto& target = *file.target;
   if (!target.curve)
@@ -56,8 +56,8 @@ std::string fit_text(const scene::SoilTestFile& file, const soiltest::Calibratio
                      static_cast<double>(found.updates), found.cpu_seconds);
 }
 
-/// How cycles are counted. The published contraction rates reach 3 % in 13.7 to 14.2 cycles where 15 are
-/// wanted, counted so; the fitted ones differ from them accordingly.
+/// A text on the counting of cycles. With this counting the published contraction rates reach 3 % in 13.7 to
+/// 14.2 cycles where 15 are wanted; the fitted rates differ from them accordingly.
 constexpr std::string_view counting =
     "Counting: the wanted strain is reached at cycles = N, interpolated within the half cycle; with N = 15.0 "
     "and 3 % the published contraction rates (D_R 0.35, 0.55, 0.75; 13.7 to 14.2 cycles) are met within 10 % "

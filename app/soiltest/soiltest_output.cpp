@@ -62,7 +62,7 @@ Table parameters(const scene::SoilTestFile& file) {
            {"origin", "1", origins}}};
 }
 
-/// With which every history begins.
+/// The first columns of every history.
 constexpr std::array first_columns = {"step",     "cycle",  "eps_xx", "eps_yy", "eps_zz",
                                       "gamma_xy", "sig_xx", "sig_yy", "sig_zz", "sig_xy"};
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `tremolo soiltest` writes. OUT.h5 is made of tables (a group a table, a dataset a column, its unit in
+// Output of `tremolo soiltest`. OUT.h5 consists of tables (a group a table, a dataset a column, its unit in
 // the attribute `unit`), SI units, tension positive unless a name says otherwise:
 //
 //     /about              one row: title, soil (a name or ""), law, library (or ""), kind, drainage, loading,
@@ -50,7 +50,7 @@ std::vector<results::NamedTable> soiltest_tables(const scene::SoilTestFile& file
 /// @throws std::runtime_error saying so
 void check_output(const std::filesystem::path& out, const scene::SoilTestFile& file, bool plot);
 
-/// By the extension of the name.
+/// Writes the format given by the extension of the name.
 /// @throws std::runtime_error where the file cannot be written
 void write_soiltest(const std::filesystem::path& out, const scene::SoilTestFile& file,
                     const SoilTestRun& run);

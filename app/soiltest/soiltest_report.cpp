@@ -77,7 +77,7 @@ Changes changes(const soiltest::History& history) {
           change("eps_xx") + change("eps_yy") + change("eps_zz")};
 }
 
-/// What a monotonic test is made for.
+/// The results of a monotonic test.
 std::string monotonic_text(const scene::SoilTestFile& file, const SoilTestRun& run) {
   const auto& result = run.specimens.front().result;
   const Changes of = changes(result.history);

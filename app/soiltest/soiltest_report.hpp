@@ -9,10 +9,10 @@ namespace tremolo::app {
 /// The soil of a test and every parameter in force.
 std::string soil_text(const scene::SoilTestFile& file);
 
-/// What should be known of a test before its results are believed, a line each.
+/// Cautions about a test's results, one per line.
 std::string notes_text(const scene::SoilTestFile& file);
 
-/// What the tests gave: cycles, pore pressure, strength, why they ended and what they cost.
+/// Results of the tests: cycles, pore pressure, strength, reasons for their end, and cost.
 std::string results_text(const scene::SoilTestFile& file, const SoilTestRun& run);
 
 /// The library of soils, a line each.

@@ -152,7 +152,7 @@ bool is_linear(const scene::Case& scene, const std::vector<scene::Layer>& layers
   });
 }
 
-/// Where the case can be computed by plane waves.
+/// The exact fields, if the case can be computed by plane waves.
 std::optional<SideFields> exact_fields(const scene::Case& scene) {
   const auto& [sides, left, right, base] = scene.boundary;
   if (!is_linear(scene, scene::layers(scene, left)) || !is_linear(scene, scene::layers(scene, right)) ||

@@ -14,8 +14,8 @@
 
 namespace tremolo::app {
 
-/// How two motions differ, sqrt(sum |v - r|^2 / sum |r|^2) over both components and all times, v the particle
-/// velocity, r that of the reference.
+/// Difference of two motions, sqrt(sum |v - r|^2 / sum |r|^2) over both components and all times, where v is
+/// the particle velocity and r that of the reference.
 struct Difference {
   std::string where; ///< monitor
   double relative_l2 = 0.0;

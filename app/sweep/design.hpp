@@ -1,6 +1,6 @@
 #pragma once
 
-// Which combinations of the values of its axes a study runs.
+// Selection of the combinations of axis values that a study runs.
 
 #include "scene/study.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a sweep has to run: the case of every combination, checked, and what is known of it before it runs.
+// Plan of a sweep: the checked case of every combination, and the properties known before it runs.
 
 #include "app/sweep/design.hpp"
 #include "motion/measures.hpp"

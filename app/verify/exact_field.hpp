@@ -7,8 +7,8 @@
 
 namespace tremolo::app {
 
-/// Why the exact half-space field is not the solution of this case; nothing if it is: level ground up to
-/// one free surface on both sides, without layers, all soil linear elastic and equal to the half-space.
+/// The reason why the exact half-space field is not the solution of this case; empty if it is: level ground
+/// up to one free surface on both sides, without layers, all soil linear elastic and equal to the half-space.
 std::optional<std::string> why_not_exact(const scene::Case& scene);
 
 } // namespace tremolo::app

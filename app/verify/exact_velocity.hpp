@@ -34,7 +34,7 @@ public:
   ExactVelocity(const wavefield::Superposition& field, std::span<const double> levels, const Range& range,
                 double highest_frequency);
 
-  /// At y = levels[level]. Times outside the range are taken at its ends.
+  /// The value at y = levels[level]. Times outside the range are clamped to it.
   Value at(std::size_t level, double x, double t) const;
 
 private:

@@ -40,7 +40,7 @@ struct Particles {
   std::vector<double> levels; ///< m
 };
 
-/// What is summed over the particles of a region and the frames.
+/// Sums over the particles of a region and the frames.
 struct Sums {
   std::size_t count = 0;
   double error2 = 0.0, exact2 = 0.0;

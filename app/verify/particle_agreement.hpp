@@ -1,6 +1,6 @@
 #pragma once
 
-// How far the particle velocities v of a run lie from the exact ones e. Sums run over the particles of a
+// Deviation of the particle velocities v of a run from the exact ones e. Sums run over the particles of a
 // region and the frames of the run:
 //
 //   relative L2 error    sqrt( sum |v - e|^2 / sum |e|^2 )
@@ -36,7 +36,7 @@ struct ParticleAgreement {
   std::vector<double> relative_error; ///< [particles] rms over time of |v - e| over the rms of |e| of all
 };
 
-/// Where the particles of a run were at the start, m: [particles * 2].
+/// Initial positions of a run's particles, m: [particles * 2].
 /// @throws std::runtime_error where the run has no frames
 std::vector<double> initial_positions(const results::RunReader& run);
 

@@ -63,7 +63,7 @@ DomainClient::Exchanged DomainClient::exchange(std::uint64_t step, double time,
     send_velocities();
     wait_for_hub(step, v_domain);
   } else {
-    // What has come is taken when it is needed: until then it lies in the socket, bounded by the credit.
+    // Messages are read when they are needed; until then they stay in the socket, bounded by the credit.
     if (exchange_->missing(time))
       wait_for_sources(step, time);
     exchange_->read(time, free_field_);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the launcher passes to every participant: its command line, and the run's session in the environment,
-// where other users of the machine cannot read it.
+// Options that the launcher passes to every participant: its command line, and the run's session in the
+// environment, where other users of the machine cannot read it.
 //
 //     TREMOLO_SESSION=0123456789abcdef tremolo-wave --case CASE --name left --endpoint ipc:///run/...
 //     [--threads N] [--out DIR] [--keys DIR]
@@ -45,7 +45,7 @@ struct OwnOption {
 /// The command line for options, without the program itself.
 std::vector<std::string> command_line(const ParticipantOptions& options);
 
-/// What stands in the participant's environment beside that of the launcher, NAME=VALUE each.
+/// Additions to the launcher's environment for the participant, NAME=VALUE each.
 std::vector<std::string> environment(const ParticipantOptions& options);
 
 /// @throws std::runtime_error where there is none, with the variable that should hold it

@@ -15,7 +15,7 @@ using namespace conformance;
 
 namespace {
 
-/// What a hub grants survivors of a failure before it kills them, s.
+/// Time that a hub grants the surviving processes after a failure before it kills them, s.
 constexpr double abort_grace_s = 1.0;
 /// Deadline of the session in which the hub vanishes, s, and what a client adds to it.
 constexpr double orphan_step_deadline_s = 0.5;

@@ -50,7 +50,7 @@ private:
   std::vector<Check> checks_;
 };
 
-/// From the program's start to the domain's end time.
+/// The session from the program's start to the domain's end time.
 class Session {
 public:
   /// @param options,demand must outlive the session

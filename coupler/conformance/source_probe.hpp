@@ -55,7 +55,7 @@ public:
   [[nodiscard]] const ChildProcess& process() const { return process_; }
   [[nodiscard]] std::uint64_t session() const { return session_of(options_); }
 
-  /// How the process ended and its last lines.
+  /// A text on the end of the process, with its last lines.
   [[nodiscard]] std::string last_words() const;
 
 private:

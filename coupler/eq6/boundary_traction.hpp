@@ -42,7 +42,7 @@ struct Stress {
   double xy = 0.0;
 };
 
-/// What a dashpot needs to know of a boundary face.
+/// Properties of a boundary face that its dashpot needs.
 struct Face {
   Vector normal;            ///< outward unit normal
   double impedance_p = 0.0; ///< rho c_p, Pa s/m

@@ -34,7 +34,7 @@ public:
   void complete(std::uint64_t step, double time) const;
 
 private:
-  /// How far a field has come, and all values of its last step.
+  /// Progress of a field, and all values of its last step.
   struct Sent {
     std::uint64_t steps = 0;
     std::vector<double> last{};

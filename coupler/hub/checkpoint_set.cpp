@@ -25,7 +25,8 @@ constexpr const char* manifest_name = "manifest.json";
 constexpr const char* draft_extension = ".part";
 constexpr std::size_t step_digits = 10;
 
-/// What made the set: other versions may mean other things by the same numbers, or round them differently.
+/// The build that made the set: another version may give the numbers another meaning, or round them
+/// differently.
 std::map<std::string, std::string> versions() {
   return {{"schema_version", std::string(results::checkpoint_schema_version)}, {"build", TREMOLO_VERSION}};
 }

@@ -17,7 +17,7 @@
 
 namespace tremolo::coupler {
 
-/// What a run is, as far as a checkpoint depends on it.
+/// Identity of a run, as far as a checkpoint depends on it.
 struct RunIdentity {
   std::string case_text;
   std::map<std::string, std::string> inputs{}; ///< files that the case refers to, and the CRC-32 of each
@@ -42,7 +42,7 @@ std::filesystem::path draft_folder(const std::filesystem::path& checkpoints, std
 /// @throws std::runtime_error where the disk does not take it
 void publish(const CheckpointSet& set, std::size_t keep);
 
-/// What a run can go on from.
+/// Sets of checkpoints from which a run can continue.
 struct FoundSets {
   std::optional<CheckpointSet> newest; ///< of those that are whole
   std::vector<std::string> damaged;    ///< what is wrong with newer ones, the newest first

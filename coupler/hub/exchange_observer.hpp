@@ -14,7 +14,7 @@
 
 namespace tremolo::coupler {
 
-/// What is known before the first frame.
+/// Facts known before the first frame.
 struct ExchangeStart {
   std::uint64_t session = 0;
   Mode mode = Mode::window;

@@ -190,7 +190,7 @@ void Hub::tick() {
 }
 
 void Hub::abort(const std::string& reason) {
-  // Those who are gone already hear nothing.
+  // Participants that have already left receive nothing.
   for (const auto& participant : roster_.all())
     if (!participant.routing_id.empty() && !participant.left)
       post_.send(participant.routing_id, {"ABORT", {{"reason", reason}}});

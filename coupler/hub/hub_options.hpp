@@ -1,6 +1,6 @@
 #pragma once
 
-// What a hub is given about its run.
+// The run's data for its hub.
 
 #include "coupler/client/participant_options.hpp"
 #include "coupler/hub/checkpoint_set.hpp"
@@ -30,7 +30,7 @@ struct ExpectedParticipant {
   bool elsewhere = false; ///< it comes from another machine, by JOIN
 };
 
-/// Where checkpoints of a run lie.
+/// Folder of a run's checkpoints.
 struct CheckpointOptions {
   std::filesystem::path folder{};              ///< RUN/checkpoints; empty: none are made
   std::size_t keep = 0;                        ///< the newest ones

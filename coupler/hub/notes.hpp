@@ -1,6 +1,6 @@
 #pragma once
 
-// What the user of a run reads while it goes on. Others' words are made printable. Strangers may say
+// Messages to the user during a run. Texts from other processes are made printable. Strangers may say
 // anything as often as they like: of one connection five notes in a row are shown, of all twenty at once and
 // then one a second.
 

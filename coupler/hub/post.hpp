@@ -15,7 +15,7 @@
 
 namespace tremolo::coupler {
 
-/// What has come from one connection.
+/// A message that has come from one connection.
 struct Letter {
   std::string routing_id;
   zmq::message_t raw;    ///< its last part

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the hub knows of a run that goes on, or has come to its end.
+// State of a running or finished run, as the hub knows it.
 
 #include "coupler/client/timeline.hpp"
 #include "coupler/mapping/timing.hpp"
@@ -31,7 +31,7 @@ private:
   Failure failure_;
 };
 
-/// Where the domain is.
+/// Progress of the domain.
 struct Progress {
   std::string stage = "start";
   std::uint64_t step = 0;
@@ -41,7 +41,7 @@ struct Progress {
   friend bool operator==(const Progress&, const Progress&) = default;
 };
 
-/// What a participant says of itself at the end.
+/// A participant's final report on itself.
 struct ParticipantReport {
   std::vector<PassTime> passes;
   double waiting = 0.0;          ///< for the exchange, s

@@ -1,8 +1,8 @@
 #pragma once
 
-// What goes to whom once all are there: READY, credit, the sources' frames, the domain's velocities. In mode
-// window frames go on to the domain as they came; in mode lockstep Eq. (6) is evaluated here and tractions go
-// back. Whoever looks on (exchange_observer.hpp) is shown every frame.
+// Routing of messages once all participants are present: READY, credit, the sources' frames, the domain's
+// velocities. In mode window frames go on to the domain as they came; in mode lockstep Eq. (6) is evaluated
+// here and tractions go back. An observer (exchange_observer.hpp) receives every frame.
 
 #include "coupler/hub/admission/roster.hpp"
 #include "coupler/hub/checkpoint_keeper.hpp"
@@ -33,7 +33,7 @@ public:
   void take_credit(const nlohmann::json& body);
   void take_source_frame(const Participant& source, zmq::message_t& raw);
   void take_velocities(const Participant& domain, std::span<const std::byte> bytes);
-  /// What the domain waits for, as its beat says.
+  /// Reads from the domain's beat what it waits for.
   void take_wait(const nlohmann::json& body);
   /// The domain has said BYE: sources are asked for what is still needed, then dismissed.
   void end();
@@ -42,11 +42,11 @@ public:
   [[nodiscard]] bool has_dismissed() const { return dismissed_; }
   /// The step whose velocities come next.
   [[nodiscard]] std::uint64_t next_domain_step() const { return next_domain_step_; }
-  /// What the domain owes.
+  /// Data that the domain has still to send.
   [[nodiscard]] std::string owed_by_domain() const;
 
 private:
-  /// How far a source's field has come and may go.
+  /// Progress of a source's field, and its credit.
   struct Outlet {
     std::uint64_t next_step = 0;
     std::uint64_t credit = 0;

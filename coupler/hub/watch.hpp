@@ -35,14 +35,14 @@ public:
 
   /// The source owes a frame from now on.
   void asked(const Participant& source) { of(source).pace.asked(); }
-  /// What the domain waits for, if anything.
+  /// Records what the domain waits for, if anything.
   void domain_waits_for(const std::optional<FaceExchange::Missing>& awaited);
   /// A source's steps below next_step have come.
   void arrived(const Participant& source, const std::string& field, std::uint64_t next_step);
 
   [[nodiscard]] bool domain_waits() const { return wait_.has_value(); }
   [[nodiscard]] const Progress& progress() const { return progress_; }
-  /// For whom the domain has waited so far.
+  /// Waiting times of the domain so far, by participant.
   [[nodiscard]] const TimelineReport& waits() { return timeline_.report(); }
 
   /// Whoever has not said HELLO in time.
@@ -50,7 +50,7 @@ public:
   /// Whoever has not got on in time.
   /// @param owed what the domain owes
   [[nodiscard]] std::optional<Failure> overdue(const std::string& owed);
-  /// Where a participant of another machine ends, no child of this one does: the connection shows it.
+  /// When a participant on another machine ends, no child process of this one does: the connection shows it.
   [[nodiscard]] std::optional<Failure> lost(const Participant& participant, bool connected);
 
 private:

@@ -15,7 +15,7 @@
 
 namespace tremolo::coupler {
 
-/// How a process is started.
+/// Command by which a process is started.
 struct Command {
   std::vector<std::string> words;         ///< program and its arguments
   std::vector<std::string> environment{}; ///< NAME=VALUE each, beside our own environment
@@ -41,13 +41,13 @@ public:
   [[nodiscard]] const std::string& name() const { return name_; }
   /// After the end: whether its exit status was 0.
   [[nodiscard]] bool succeeded() const;
-  /// By kill(): it did not end by itself.
+  /// Whether kill() ended the process.
   [[nodiscard]] bool killed() const { return killed_; }
   /// After the end: whether a signal that was not ours ended it, or one that it stands for (mpirun).
   [[nodiscard]] bool crashed() const;
-  /// How it ended: "exited with code 3", "was killed by signal 9 (Killed)", or by kill().
+  /// A text on its end: "exited with code 3", "was killed by signal 9 (Killed)", or by kill().
   [[nodiscard]] std::string ending() const;
-  /// From start to end, s.
+  /// Time from start to end, s.
   [[nodiscard]] double wall_seconds() const;
   /// After the end.
   [[nodiscard]] double seconds_since_end() const { return seconds_since(end_); }

@@ -1,8 +1,8 @@
 #pragma once
 
-// How a process on another machine comes to take part in a run. It knows the hub's address and has keys; it
-// asks with JOIN under the name that it shall have, and the hub answers with INVITE: the run's session, its
-// case and what the case's files must hold. Then the participant itself is started, which says HELLO.
+// Admission of a process on another machine to a run. The process knows the hub's address and has keys; it
+// sends JOIN with its future name, and the hub answers with INVITE: the run's session, its case and what the
+// case's files must hold. Then the participant itself is started, which says HELLO.
 
 #include "coupler/client/participant_options.hpp"
 
@@ -27,7 +27,7 @@ struct DataFile {
 /// @throws Error for a file that cannot be read
 DataFile described(const std::filesystem::path& path);
 
-/// What is wrong with this machine's file of that name; nothing if it is the same.
+/// The difference of this machine's file of that name; empty if it agrees.
 std::optional<std::string> difference(const DataFile& file);
 
 struct Invitation {

@@ -28,7 +28,7 @@ zmq::socket_t connected(zmq::context_t& context, const JoinOptions& options) {
   }
 }
 
-/// What an event of ZeroMQ's monitor means for somebody who waits; empty: nothing.
+/// Meaning of an event of ZeroMQ's monitor for a waiting user; empty if it has none.
 std::string meaning(std::uint16_t event, std::int32_t value, const std::string& name) {
   switch (event) {
   case ZMQ_EVENT_HANDSHAKE_FAILED_AUTH:

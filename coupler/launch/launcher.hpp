@@ -19,7 +19,7 @@
 
 namespace tremolo::coupler {
 
-/// How a process comes to be on another machine.
+/// The way in which a process is started on another machine.
 struct Elsewhere {
   std::string started_by; ///< "ssh to node2", "srun"; empty: the user, to whom the run prints the command
   /// The words of the command that starts it, for the hub's address and the run's number.
@@ -73,7 +73,7 @@ class RunFailed : public Error {
 public:
   RunFailed(const std::string& text, int exit_status, FailureCircumstances circumstances = {})
       : Error(text), exit_status_(exit_status), circumstances_(circumstances) {}
-  /// For the shell: 1, or 128 + signal if the user interrupted the run.
+  /// Exit status for the shell: 1, or 128 + signal if the user interrupted the run.
   [[nodiscard]] int exit_status() const { return exit_status_; }
   /// Whether it failed over the checkpoint that it was to go on from.
   [[nodiscard]] bool refuses_checkpoint() const { return circumstances_.refuses_checkpoint; }

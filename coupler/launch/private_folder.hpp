@@ -16,7 +16,7 @@ public:
   PrivateFolder& operator=(const PrivateFolder&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// How long the path of such a folder is, bytes.
+  /// Length of such a folder's path, bytes.
   static std::size_t length(const std::filesystem::path& parent);
 
 private:

@@ -8,7 +8,7 @@
 
 namespace tremolo::coupler {
 
-/// How processes of a run reach the hub.
+/// Transport between the processes of a run and the hub.
 enum class Transport {
   ipc, ///< a socket file in a folder that only this user can enter
   tcp  ///< a free port of the loopback interface

@@ -55,7 +55,7 @@ public:
   /// Credits that have grown by a frame or more since the last call, to be sent to their sources.
   std::vector<Credit> new_credits();
 
-  /// What the exchange still waits for at a time.
+  /// Data that the exchange still lacks at a time.
   struct Missing {
     std::string source;
     std::string field;

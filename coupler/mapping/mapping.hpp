@@ -30,7 +30,7 @@
 
 namespace tremolo::coupler {
 
-/// Where a face reads a field: computed once, since faces keep their material position.
+/// Points at which a face reads a field, computed once since faces keep their material position.
 struct FaceMap {
   std::size_t first_point = 0;
   std::size_t points = 0; ///< 1 to 4
@@ -38,7 +38,7 @@ struct FaceMap {
   double delay = 0.0; ///< s, p (x - x_reference)
 };
 
-/// What is served at a point: velocity x and y, stress xx, yy and xy.
+/// Number of components served at a point: velocity x and y, stress xx, yy and xy.
 inline constexpr std::size_t components = values_per_point / 2;
 
 /// The sum over a face's points.

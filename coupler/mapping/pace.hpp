@@ -1,6 +1,6 @@
 #pragma once
 
-// How fast a participant works, and how long to wait for it before the run is given up:
+// Pace of a participant, and the time to wait for it before the run is aborted:
 //
 //     patience = max(deadline, 20 x the median of the last intervals between its signs of progress)
 //

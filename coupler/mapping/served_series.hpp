@@ -1,6 +1,6 @@
 #pragma once
 
-// What can be said of a served field from its values alone, whoever computed them:
+// Checks of a served field by its values alone, whoever computed them:
 //
 //  - rates belong to the values. By Simpson's rule, exact for cubics in time, error (w dt)^4/180,
 //        f_(n+1) - f_(n-1) = dt/3 (f'_(n-1) + 4 f'_n + f'_(n+1));
@@ -48,7 +48,7 @@ struct MomentumFit {
   double density = 0.0; ///< kg/m3
   double misfit = 0.0;  ///< 2-norm of what this density leaves over that of the divergence of the stress
 };
-/// Empty if density_from_momentum() has nothing, or nothing moves in this direction.
+/// Empty if density_from_momentum() is empty, or if nothing moves in this direction.
 std::optional<MomentumFit> momentum_fit(const ServedSeries& series, Direction direction);
 
 } // namespace tremolo::coupler

@@ -85,7 +85,7 @@ std::string numbered(std::string_view what, std::size_t index) {
   return index == 0 ? fmt::format("{}.", what) : fmt::format("{}.{}.", what, index + 1);
 }
 
-/// What the records hold; of a later shaking all that its stage says, under a name without the stage's
+/// Adds the records' contents; for a later shaking all keys of its stage, under a name without the stage's
 /// number.
 void add_motions(const scene::Case& scene, const scene::MotionInput& input,
                  std::vector<results::RecordedValue>& values) {
@@ -149,7 +149,7 @@ std::vector<std::string> free_field_differences(const std::vector<results::Recor
 std::string free_field_identity(const scene::Case& scene) {
   const Values all = by_key(recorded_values(scene));
   std::string identity;
-  // What a recording need not share with the case, but may end or differ by.
+  // Keys in which a recording may differ from the case.
   constexpr std::array beside{"stage", "time.", "water.", "boundary.base.form"};
   for (const auto& [key, value] : all)
     if (begins_with_any(key, beside))

@@ -43,7 +43,7 @@ coupler::FieldDescription description_of(const results::RecordedField& field) {
           .step_count = field.step_count};
 }
 
-/// Those whose sum faces take as `name`, by number.
+/// Indices of the fields whose sum faces take as `name`.
 std::vector<std::size_t> find(const std::vector<results::RecordedField>& fields, std::string_view name,
                               const std::string& file) {
   std::vector<std::size_t> found;
@@ -59,9 +59,8 @@ std::vector<std::size_t> find(const std::vector<results::RecordedField>& fields,
       fmt::format("{}: the case asks for the field '{}', recorded are: {}", file, name, held));
 }
 
-/// By how much earlier than at the box's left edge the line is read by the face that reads it earliest of
-/// all, s; a face lies less than a cell beside the edge. The hub knows the faces themselves and has the last
-/// word.
+/// Largest lead, relative to the box's left edge, with which a face reads the line, s; a face lies less than
+/// a cell beside the edge. The hub knows the faces themselves and makes the final check.
 double delay_of_first_face(const scene::Case& scene, const scene::SourceProcess& source, double slowness_x) {
   const bool right_only = std::ranges::all_of(
       source.serves, [](const scene::Served& served) { return served.side == scene::Side::right; });

@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t most_queued_values = std::size_t{8} << 20;
 /// A disk that takes nothing for so long is as good as full.
 constexpr std::chrono::seconds longest_wait{20};
-/// What a full disk or a kill of the writing process may cost, besides rows that do not fill a chunk yet, s.
+/// Largest loss by a full disk or a kill of the writing process, besides rows that do not yet fill a chunk,
+/// s.
 constexpr double flush_interval_s = 0.1;
 
 std::string aborted(std::uint64_t step, const std::string& reason) {
@@ -240,7 +241,7 @@ void ExchangeRecorder::write_until_closed(results::ExchangeWriter& writer) {
   writer.close(status_);
 }
 
-/// What was queued before the question is written already: the hub's thread, which fills the queue, waits.
+/// Everything queued before the request has been written: the hub's thread, which fills the queue, waits.
 void ExchangeRecorder::save_if_asked(results::ExchangeWriter& writer) {
   std::unique_lock lock(mutex_);
   if (!save_ || !queue_.empty())

@@ -28,7 +28,7 @@ namespace tremolo::coupler {
 /// Its file in a set of checkpoint files.
 inline constexpr const char* recording_checkpoint = "recording.h5";
 
-/// What becomes of the run when the recording cannot go on.
+/// What happens to the run when the recording cannot continue.
 enum class OnFullDisk { stop, go_on };
 
 struct RecorderOptions {

@@ -16,8 +16,7 @@ class Aborted : public Error {
   using Error::Error;
 };
 
-/// What an exception says, in words for the user: those of the file system and of memory have none of their
-/// own.
+/// A user's text for an exception: those of the file system and of memory have none of their own.
 std::string message_of(const std::exception& error);
 
 } // namespace tremolo::coupler

@@ -1,7 +1,7 @@
 #pragma once
 
-// What passes between participants, in words of the physics: the free-field motion that a source serves along
-// a vertical profile, and the boundary faces of the domain that take it.
+// Data exchanged between participants, in terms of the physics: the free-field motion that a source serves
+// along a vertical profile, and the boundary faces of the domain that take it.
 //
 // A source serves the motion on ONE vertical line. Along x the motion is the same, later by the horizontal
 // slowness p = sin(angle) / c:

@@ -43,7 +43,7 @@ struct FrameHeader {
   std::uint32_t count = 0; ///< values per step
 };
 
-/// What the receiver will take next.
+/// The frame that the receiver expects next.
 struct ExpectedFrame {
   std::uint64_t session = 0;
   std::uint32_t sender = 0;

@@ -9,7 +9,7 @@
 
 namespace tremolo::coupler {
 
-/// What came in: a control message, or a data frame.
+/// An incoming control message or data frame.
 struct Incoming {
   std::optional<Message> message;
   zmq::message_t raw;

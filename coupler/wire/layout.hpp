@@ -1,6 +1,6 @@
 #pragma once
 
-// What the values of a step mean in the two kinds of frames between domain and hub (field 0 of either).
+// Meaning of a step's values in the two kinds of frames between domain and hub (field 0 of either).
 
 #include <cstddef>
 

@@ -5,7 +5,7 @@
 
 namespace tremolo::coupler {
 
-/// Where Eq. (6) is evaluated; the tractions are the same to the last bit.
+/// The process that evaluates Eq. (6); the tractions agree to the last bit.
 enum class Mode {
   lockstep, ///< in the hub: velocities out, tractions back, each step
   window    ///< in the domain: sources run ahead, velocities flow back in batches

@@ -1,8 +1,9 @@
 #pragma once
 
-// What no free field can be. Ground near a fault moves at some m/s, and rock of 6 km/s bears 1.6 GPa where it
-// moves at 100 m/s. A value beyond the bounds here is a mistake of its source: a unit, or an integration that
-// has blown up. It is refused where it enters, since the domain would blow up later and name itself.
+// Bounds that no free field can exceed. Ground near a fault moves at some m/s, and rock of 6 km/s bears 1.6
+// GPa where it moves at 100 m/s. A value beyond the bounds here is a mistake of its source: a unit, or an
+// integration that has blown up. It is refused where it enters, since the domain would blow up later and name
+// itself.
 
 #include "coupler/wire/field.hpp"
 

@@ -78,7 +78,7 @@ zmq::socket_t bound_router(zmq::context_t& context, const std::string& endpoint,
   set_common_options(socket);
   // Sending to a participant that is gone is an error, not a silent drop.
   socket.set(zmq::sockopt::router_mandatory, true);
-  // What one stranger can pile up; the hub takes messages at once and never blocks.
+  // Limit on the messages that one stranger can queue; the hub reads messages at once and never blocks.
   socket.set(zmq::sockopt::rcvhwm, 1000);
   if (keys)
     bind_also(socket, endpoint, *keys);

@@ -42,7 +42,7 @@ private:
   Close close_ = nullptr;
 };
 
-/// To be called before HDF5 is used: it then prints no errors of its own, and does nothing at exit.
+/// Call it before HDF5 is used: the library then prints no errors of its own, and does nothing at exit.
 void prepare_hdf5();
 
 /// @throws std::runtime_error "FILE: cannot ACTION: REASON", with the reason taken from HDF5's error stack

@@ -52,7 +52,7 @@ public:
     const double before = value(moment.before, column);
     return before + moment.share * (value(moment.after, column) - before);
   }
-  /// How many of x0, x1, ... there are.
+  /// Number of the datasets x0, x1, ...
   std::size_t numbered(const std::string& name) const {
     std::size_t count = 0;
     while (std::ranges::find(names_, fmt::format("{}{}", name, count)) != names_.end())

@@ -9,7 +9,7 @@
 
 namespace tremolo::results {
 
-/// What a run has besides particles, as lines: boundary faces, which stay where they are, and outlines of
+/// The parts of a run that are shown as lines: boundary faces, which stay where they are, and outlines of
 /// structures, axes of linings and props, whose points do not.
 struct Shapes {
   std::vector<std::int64_t> connectivity; ///< points of one line after the other

@@ -12,14 +12,14 @@ namespace tremolo::app {
 /// The attribute `content` of what `tremolo column` writes.
 inline constexpr const char* column_content = "column";
 
-/// Which histories a free field is asked for.
+/// Histories requested from a free field.
 struct ColumnHistories {
   std::vector<double> depths;     ///< m; none: surface, interfaces and base
   std::optional<double> duration; ///< s
   std::optional<double> every;    ///< s
 };
 
-/// What a free field came to.
+/// Summary of a free field.
 struct ColumnSummary {
   double cpu_seconds = 0.0;
   double surface_acceleration = 0.0;           ///< largest, along the wave's own component, m/s2

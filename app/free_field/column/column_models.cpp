@@ -18,7 +18,7 @@ std::string file_name(scene::SourceModel model) {
   return fmt::format("{}.h5", scene::name(model));
 }
 
-/// How a model takes soil that yields.
+/// A text on a model's treatment of soil that yields.
 std::string_view soil_of(scene::SourceModel model) {
   switch (model) {
   case scene::SourceModel::wave:

@@ -107,8 +107,8 @@ CarriedFrequency carried_frequency(const ColumnGround& ground, const FreeFieldSe
     const scene::Layer& layer = layer_at(ground, series, k);
     const double strain = peak(series.at(k), &ColumnSample::gxy);
     const double depth = ground.source.surface - series.levels[k];
-    // Where there is hardly any strain, and in the top element, whose strain is one and whose stress is not,
-    // a secant says nothing.
+    // A secant is meaningless where there is hardly any strain, and in the top element, whose strain is
+    // uniform while its stress is not.
     const double secant = depth >= size && strain > 1e-2 * most
                               ? peak(series.at(k), &ColumnSample::sxy) / strain
                               : std::numeric_limits<double>::infinity();

@@ -9,9 +9,8 @@
 
 namespace tremolo::app {
 
-/// What speaks against a free field, in sentences: strain beyond what equivalent linear or linear soil is
-/// taken for, motion above the frequency that the elements carry, backbones that do not have the strength
-/// given.
+/// Warnings about a free field: strain beyond the range of equivalent linear or linear soil, motion above the
+/// frequency that the elements resolve, backbones without the given strength.
 std::vector<std::string> column_warnings(const ColumnGround& ground, const FreeFieldSeries& series);
 
 /// Highest frequency of shear waves that have `per_wavelength` elements of a size (m) at the secant stiffness

@@ -8,7 +8,7 @@
 
 namespace tremolo::app {
 
-/// What a site is before it is shaken, and what strain makes of it, as tables (docs/output-format.md):
+/// Tables of a site before shaking, and of its strain-compatible properties (docs/output-format.md):
 ///   /layers             from the surface down, the half-space last
 ///   /site               Vs30, period, impedance: one row
 ///   /strain_compatible  stiffness and damping that model eql ended with; of that model alone

@@ -26,7 +26,7 @@ namespace {
 
 using scene::StartRanksBy;
 
-/// Who starts ranks on other machines; nothing if all run here.
+/// The launcher of ranks on other machines; empty if all run here.
 std::optional<StartRanksBy> start_elsewhere(const scene::Case& scene, bool local) {
   return local || !scene.hosts.domain ? std::nullopt : std::optional(scene.hosts.domain->start);
 }
@@ -82,7 +82,7 @@ Words placed(const scene::Case& scene, const DomainRanks& ranks, bool local, dou
   const auto start = start_elsewhere(scene, local);
   if (start == StartRanksBy::slurm)
     return {};
-  // In a Slurm job it would take the job's nodes.
+  // Without this, mpirun would use the nodes of a Slurm job.
   Words words{"--mca", "ras", "^slurm"};
   if (!start)
     return joined(words, {"--mca", "plm", "isolated"});

@@ -30,7 +30,7 @@ int ranks_here(const scene::Case& scene, const DomainRanks& ranks, bool local);
 /// Who starts the ranks on which machines: "on this machine", "2 here, 4 on node2, through ssh".
 std::string ranks_text(const scene::Case& scene, const DomainRanks& ranks, bool local);
 
-/// Where the files of ranks lie that they talk through: in memory, or in the temporary folder.
+/// Folder of the files through which ranks communicate: in memory, or the temporary folder.
 std::filesystem::path shared_memory_parent();
 
 /// Lets mpirun start the domain's process as several ranks.

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// As one word for a shell.
+/// Quotes a text as one word for a shell.
 std::string quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text)
@@ -23,7 +23,7 @@ std::string quoted(const std::string& text) {
   return quoted + "'";
 }
 
-/// What a shell on the other machine is given.
+/// The command for the shell on the other machine.
 std::string shell_line(const scene::Host& host, const std::string& participant, const fs::path& keys,
                        const std::string& endpoint, const std::string& run) {
   return fmt::format("{} join {} --role {} --keys {} --run {}", host.command, quoted(endpoint),

@@ -8,8 +8,8 @@
 
 namespace tremolo::app {
 
-/// How a source comes to be on the machine that [hosts] names: `tremolo join` there, started through ssh,
-/// with srun, or by the user.
+/// The way in which a source is started on the machine that [hosts] names: `tremolo join` there, started
+/// through ssh, with srun, or by the user.
 /// @param keys  folder of CURVE keys on this machine
 /// @param connect_deadline of the run, s
 /// @param number of the processes that Slurm places, from 1; node 0 of a job is the one that runs the domain

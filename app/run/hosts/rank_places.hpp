@@ -6,9 +6,8 @@
 
 namespace tremolo::app {
 
-/// How many ranks the run's machine takes, and then each machine of [hosts.domain]: as evenly as what they
-/// take at most allows, and those of a machine one behind the other, since neighbours on the curve of tiles
-/// have the most to say to each other.
+/// Numbers of ranks on the run's machine and then on each machine of [hosts.domain], as even as their limits
+/// allow. Ranks on a machine are consecutive, since neighbours on the curve of tiles exchange the most data.
 /// @param here        most of the run's machine, and of those that say no number of their own
 /// @param beyond      whether they take more if they must
 /// @throws std::invalid_argument where they do not take as many

@@ -11,7 +11,7 @@ namespace tremolo::coupler {
 
 class ClientGate {
 public:
-  /// To be made before the socket it guards is bound.
+  /// Create the gate before binding the socket that it guards.
   /// @param allowed public keys, Z85, and the names of their owners: what comes over such a connection has
   /// the name as its "User-Id"
   ClientGate(zmq::context_t& context, std::map<std::string, std::string> allowed);
