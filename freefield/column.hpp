@@ -7,7 +7,7 @@
 
 namespace tremolo::freefield {
 
-/// How a column stands on the half-space below it, and so what the word for its input motion is.
+/// Coupling of a column to the half-space below it, which determines the kind of its input motion.
 enum class BaseKind {
   compliant, ///< elastic half-space: takes the incident (upgoing) wave at the base, half the outcrop motion
   rigid      ///< the motion at the base is prescribed: takes the within (borehole) motion, whole
@@ -67,7 +67,7 @@ public:
   /// @throws std::invalid_argument for a level outside, or if the spans differ in size
   virtual void sample(std::span<const double> y, std::span<ColumnSample> samples) const = 0;
 
-  /// What the integrator did so far, in words; empty where there is nothing to say.
+  /// A text on the integrator's work so far; empty if there is nothing to report.
   virtual std::string report() const { return {}; }
 
 protected:

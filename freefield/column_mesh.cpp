@@ -10,8 +10,8 @@ namespace {
 
 constexpr double most_elements = 1e6;
 
-/// How many equal elements a layer takes; a thickness that is a multiple up to rounding takes exactly that
-/// many.
+/// Number of equal elements of a layer; a thickness that is a multiple up to rounding gives exactly that
+/// number.
 std::size_t elements_of(const Layer& layer, double max_element_size) {
   const double count = std::ceil(layer.thickness / max_element_size * (1.0 - 1e-12));
   require(count <= most_elements, "number of elements of a layer", count,

@@ -49,9 +49,9 @@ public:
 
   /// Stress of all mechanisms of an element, Pa.
   InPlane stress(std::size_t element) const;
-  /// What will be left of it after a step in which the law's stress does not change, Pa.
+  /// The stress that remains of it after a step in which the law's stress does not change, Pa.
   InPlane kept(std::size_t element) const;
-  /// What mechanisms take up in a step of an increment of the law's stress.
+  /// The fraction of an increment of the law's stress that the mechanisms relax in a step.
   const StiffnessFactors& taken(std::size_t element) const { return soil(element).taken; }
   /// Makes a step.
   void advance(std::size_t element, const InPlane& law_increment);

@@ -33,8 +33,8 @@ public:
   void update(SoilState& state, const std::vector<double>& dexx, const std::vector<double>& deyy,
               const std::vector<double>& dgxy) const;
 
-  /// From now on all soil reconsolidates by materials::after_shaking(), or is shaken (again). Stress and
-  /// history of a state stay: laws are incremental, so only their rates change.
+  /// Switches all soil to reconsolidation by materials::after_shaking(), or back to shaking. Stress and
+  /// history are kept: laws are incremental, so only their rates change.
   void rest(bool rests);
 
   /// M of each element at its present stress, elastic, Pa; of laws whose stiffness falls with strain or

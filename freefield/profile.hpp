@@ -20,8 +20,8 @@ struct Layer {
   /// Set for a layer below the water table: `soil` is then the skeleton, with the density of grains and
   /// water.
   std::optional<materials::PoreSpace> pores = std::nullopt;
-  /// How much of the P-wave modulus relaxes under constant damping where grains and water are one material:
-  /// G/M.
+  /// Fraction of the P-wave modulus that relaxes under constant damping where grains and water are one
+  /// material: G/M.
   double relaxing_share_p = 1.0;
 };
 

@@ -21,7 +21,7 @@ struct Rectangle {
   double area() const { return (x_max - x_min) * (y_max - y_min); }
 };
 
-/// Where cells are wanted that are 2^level times smaller than the root cells.
+/// A box with cells 2^level times smaller than the root cells.
 struct Refinement {
   Rectangle box;
   int level = 0;

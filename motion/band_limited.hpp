@@ -33,7 +33,8 @@ struct Refined {
   std::vector<double> slope; ///< per s
 };
 
-/// From the first sample to the last one of a record that begins and ends near zero, at steps of dt / factor.
+/// The record, which begins and ends near zero, from its first sample to its last one at steps of dt /
+/// factor.
 Refined refined(std::span<const double> samples, double dt, std::size_t factor);
 
 } // namespace tremolo::motion

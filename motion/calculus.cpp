@@ -17,7 +17,7 @@ std::vector<double> differentiate(std::span<const double> samples, double dt) {
     throw std::invalid_argument("a slope needs at least 2 samples");
   if (samples.size() == 2)
     return std::vector<double>(2, (samples[1] - samples[0]) / dt);
-  // In units of dt the abscissae are exact.
+  // The abscissae are in units of dt, in which they are exact.
   std::vector<double> steps(samples.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
     steps[i] = static_cast<double>(i);

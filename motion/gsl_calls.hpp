@@ -9,8 +9,8 @@
 
 namespace tremolo::motion {
 
-/// What a function of GSL allocates, with the function that frees it. From here on GSL returns a status where
-/// it fails, which check() takes; by default it ends the process.
+/// An object allocated by a function of GSL, with the function that frees it. From here on GSL returns a
+/// status on failure, which check() tests; by default it ends the process.
 /// @throws std::bad_alloc where there is not enough memory
 template <class T, class... Sizes>
 std::unique_ptr<T, void (*)(T*)> owned(T* (*allocate)(Sizes...), void (*release)(T*),

@@ -108,7 +108,7 @@ std::span<const double> customary_periods() {
 
 std::vector<double> tabulated_periods(double first, double last, std::size_t count) {
   auto periods = spaced_periods(first, last, count);
-  // What differs by rounding alone is one period, the customary one.
+  // Periods that differ by rounding alone count as one, the customary one.
   const auto twin = [](double period) {
     return std::ranges::any_of(customary_periods(),
                                [period](double p) { return std::abs(p - period) < 1e-9 * period; });

@@ -40,8 +40,8 @@ struct FourierAmplitude {
   double amplitude = 0.0; ///< |int a exp(-i w t) dt|, in the unit of the samples times s
 };
 
-/// From 0 to the Nyquist frequency; the samples are padded with zeros to the next length of which 2, 3 and
-/// 5 are the only factors.
+/// The spectrum from 0 to the Nyquist frequency; the samples are padded with zeros to the next length of
+/// which 2, 3 and 5 are the only factors.
 std::vector<FourierAmplitude> fourier_spectrum(std::span<const double> samples, double dt);
 
 } // namespace tremolo::motion

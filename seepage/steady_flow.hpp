@@ -42,8 +42,8 @@ public:
 /// @throws NoSteadyFlow after 200 iterations
 SteadyFlow solve(const FlowProblem& problem);
 
-/// Where the phreatic surface meets the exit, m: the highest node that water leaves at stands for the ground
-/// half-way to its neighbours, and less of it where less water leaves than at the next. Nothing without
+/// Point at which the phreatic surface meets the exit, m: the highest node with outflow represents the ground
+/// half-way to its neighbours, or less of it if its outflow is smaller than that of the next. Empty without
 /// exits.
 std::optional<Place> exit_point(const FlowProblem& problem, const SteadyFlow& flow);
 

@@ -22,7 +22,7 @@ public:
 
   std::span<const LayeredField> waves() const { return waves_; }
 
-  /// As LayeredField::sample(), of all waves together.
+  /// Samples all waves together, like LayeredField::sample().
   std::vector<History> sample(std::span<const Point> points, const TimeGrid& grid, Part part = Part::total,
                               const Quantities& quantities = {}) const;
 

@@ -42,7 +42,7 @@ std::filesystem::path draft_folder(const std::filesystem::path& checkpoints, std
 /// @throws std::runtime_error where the disk does not take it
 void publish(const CheckpointSet& set, std::size_t keep);
 
-/// Sets of checkpoints from which a run can continue.
+/// Result of a search for the checkpoints from which a run can continue.
 struct FoundSets {
   std::optional<CheckpointSet> newest; ///< of those that are whole
   std::vector<std::string> damaged;    ///< what is wrong with newer ones, the newest first

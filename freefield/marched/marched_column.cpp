@@ -43,7 +43,7 @@ const Profile& checked(const Profile& profile, const MarchedSettings& settings) 
   return profile;
 }
 
-/// How much rounding the stress of the laws carries, which contains that at rest, Pa.
+/// Rounding error of the laws' stress, which includes the stress at rest, Pa.
 double rounding_of(const SoilState& rest) {
   double largest = 0.0;
   for (const auto* stress : {&rest.sxx, &rest.syy, &rest.szz})

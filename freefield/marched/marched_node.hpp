@@ -26,7 +26,7 @@ struct ElementStress {
   double xx = 0.0, yy = 0.0, xy = 0.0, pressure = 0.0;
 };
 
-/// What the stress of the elements beside a node does to it, in the order of G and R.
+/// Loads on a node from the stress of its elements, in the order of G and R.
 struct NodeLoad {
   Eigen::Vector4d lateral = Eigen::Vector4d::Zero(); ///< s N(Sxx, sxy) and (-s N(p), 0), Pa s
   Eigen::Vector4d force = Eigen::Vector4d::Zero();   ///< F and (0, F~), Pa

@@ -14,12 +14,12 @@ namespace tremolo::freefield {
 /// A marched column at one time: what it takes to give motion, stress and pore pressure anywhere in it.
 struct MarchedSnapshot {
   double slowness = 0.0; ///< s/m
-  // At the nodes.
+  // Values at the nodes.
   std::vector<Eigen::Vector2d> u;     ///< displacement of the grains, m
   std::vector<NodeVelocity> velocity; ///< m/s
   std::vector<Eigen::Vector2d> force; ///< F with what acts from outside, Pa: rate of P
   std::vector<double> fluid_force;    ///< F~, Pa; of a sealed node what its grains ask of the water there
-  // At the centres of the elements.
+  // Values at the centres of the elements.
   std::vector<ElementStress> stress; ///< over the state at rest, Pa, small-strain damping included
   std::vector<double> modulus;       ///< M, Pa
 

@@ -34,8 +34,8 @@ struct MarchedState {
   std::vector<double> excess;         ///< pore pressure, below cavitation too, Pa
   std::vector<NodeMomenta> momenta;   ///< half a step ahead, before drag
   std::vector<NodeVelocity> velocity; ///< at the present time
-  /// By which elements have strained more than their laws have followed. It counts as elastic, in `stress`
-  /// and not in `soil`, until the next step.
+  /// Strain of the elements that their laws have not yet followed. It counts as elastic, in `stress` and not
+  /// in `soil`, until the next step.
   ElementFields owed;
   PlaneFields law_stress;      ///< the part of `stress` that is not of relaxation mechanisms
   ColumnRelaxation relaxation; ///< the other part
@@ -47,7 +47,7 @@ struct MarchedState {
         law_stress(PlaneFields::Zero(std::ssize(grid.elements), 3)), relaxation(std::move(unstressed)) {}
 };
 
-/// What does not change in a march.
+/// Constants of a march.
 struct MarchedScheme {
   double slowness = 0.0; ///< s, s/m
   double dt = 0.0;       ///< s
@@ -60,19 +60,19 @@ struct MarchedScheme {
     const Eigen::Matrix2d all = half_space + base_node.mass_damping * Eigen::Matrix2d::Identity();
     return (Eigen::Matrix2d::Identity() + 0.5 * dt / base_node.mass() * all).inverse();
   }
-  /// What the base node is split from at the end of a step: G, or the velocity that a rigid base has.
+  /// The vector from which the base node is split at the end of a step: G, or the velocity of a rigid base.
   Eigen::Vector2d at_base(const Eigen::Vector2d& momentum, const Eigen::Matrix2d& brake,
                           const Eigen::Vector2d& prescribed) const {
     return held(0) ? prescribed : Eigen::Vector2d(brake * momentum);
   }
-  /// How the nodes move half a step ahead, and at the end of the step.
+  /// Splits the motion of the nodes half a step ahead, and at the end of the step.
   void set_half(NodeSplit& split, const NodeMasses& nodes) const { split.set(nodes, dt, 0.0, held(0)); }
   void set_whole(NodeSplit& split, const NodeMasses& nodes) const {
     split.set(nodes, 0.5 * dt, 0.5 * dt, held(0));
   }
 };
 
-/// What comes in at the base in a step.
+/// Input at the base in a step.
 struct BaseDrive {
   Eigen::Vector2d half = Eigen::Vector2d::Zero();     ///< velocity of a rigid base half a step ahead, m/s
   Eigen::Vector2d whole = Eigen::Vector2d::Zero();    ///< and at the end of the step

@@ -20,7 +20,7 @@ using Move = Eigen::Vector<double, 6>;
 using MoveByStress = Eigen::Matrix<double, 6, 4>;
 using StrainByMove = Eigen::Matrix<double, 4, 6>;
 
-/// How a unit of each increment of an element moves one of its nodes.
+/// Motion of one of an element's nodes due to a unit of each increment.
 MoveByStress move_by_stress(const MarchedScheme& scheme, const WetGrid& grid, const NodeSplit& half_split,
                             const NodeSplit& whole_split, std::size_t i, std::size_t e) {
   const WetNode& node = grid.nodes[i];
@@ -46,7 +46,7 @@ MoveByStress move_by_stress(const MarchedScheme& scheme, const WetGrid& grid, co
   return moves;
 }
 
-/// How a unit of each motion of its lower or upper node strains an element.
+/// Strain of an element due to a unit of each motion of its lower or upper node.
 StrainByMove strain_by_move(const MarchedScheme& scheme, const WetElement& element, bool lower) {
   StrainByMove strains;
   for (Eigen::Index k = 0; k < 6; ++k) {

@@ -142,7 +142,7 @@ void MarchedTrial::set_stiffness(Eigen::Index e, const MarchedState& state, doub
   of_step_.set(e, state.relaxation.over_a_step(k), area, shear);
 }
 
-/// What stress of the elements does to the nodes: s N of it, and F and F~, in the order of G and R.
+/// Finds the loads of the elements' stress on the nodes: s N, F and F~, in the order of G and R.
 void MarchedTrial::find_loads(const ElementFields& stress) {
   const auto xx = stress.col(0), yy = stress.col(1), xy = stress.col(2), pressure = stress.col(3);
   const auto add = [](NodeFields& fields, Eigen::Index c, double side, const auto& values) {
@@ -179,7 +179,7 @@ void MarchedTrial::move(const MarchedScheme& scheme, const Increments& increment
   find_strain(scheme);
 }
 
-/// By element_strain.hpp.
+/// Finds the strain by element_strain.hpp.
 void MarchedTrial::find_strain(const MarchedScheme& scheme) {
   const double m = 0.5 * scheme.slowness;
   const auto slope = [&](const auto& values) { return per_length_ * (upper(values) - lower(values)); };
@@ -245,7 +245,7 @@ void MarchedTrial::find_stress(const MarchedState& state) {
   stress_.col(3) = excess_.max(lowest_);
 }
 
-/// What dashpots and incident wave bring to the nodes.
+/// Adds the forces of dashpots and incident wave to the nodes.
 void MarchedTrial::add_driving_force() {
   force_.col(0) += drive_.reference.x() * masses_.mass_damping;
   force_.col(1) += drive_.reference.y() * masses_.mass_damping;

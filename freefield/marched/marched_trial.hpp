@@ -25,7 +25,7 @@ public:
   /// Moves the nodes by increments of stress.
   void move(const MarchedScheme& scheme, const Increments& increment);
 
-  /// What elastic soil makes of the present motion.
+  /// Computes the increments of elastic soil under the present motion.
   void elastic_increment(Increments& made) const;
 
   /// Moves the nodes, lets the laws follow, and fills the residual: what the increments become, less the
@@ -37,7 +37,7 @@ public:
   /// again: what the elements strain beyond that evaluation counts as elastic and is owed to their laws.
   void settle(const MarchedScheme& scheme, const MarchedState& state, const Increments& increment);
 
-  /// What the laws, and the water, have made of the increments.
+  /// The stress changes that the laws and the water give for the increments.
   Increments change() const { return stress_ - before_; }
 
   /// Finds the forces at the end of the step.
@@ -52,7 +52,7 @@ public:
     const auto d = strain_.row(static_cast<Eigen::Index>(element));
     return {d[0], d[1], d[2], d[3]};
   }
-  /// At the end of the step, Pa, of relaxation mechanisms included.
+  /// Stress at the end of the step, Pa, including relaxation mechanisms.
   ElementStress stress(std::size_t element) const {
     const auto s = stress_.row(static_cast<Eigen::Index>(element));
     return {s[0], s[1], s[2], s[3]};
@@ -96,7 +96,8 @@ private:
   Eigen::Vector2d internal_force_ = Eigen::Vector2d::Zero();
   bool damped_ = false;
 
-  // At the nodes: G and R at both levels of a step without an increment, how they split, and drag times dt.
+  // Values at the nodes: G and R at both levels of a step without an increment, their split, and drag times
+  // dt.
   NodeMasses masses_;
   NodeSplit half_split_, whole_split_;
   NodeFields half_given_, whole_given_;
@@ -107,7 +108,7 @@ private:
   NodeFields momenta_, half_, whole_;
   Pairs mean_; ///< velocity of both phases at the end of the step, m/s
 
-  // In the elements: s h/2, 1 where water flows, dt/h, and the stiffness of the water, Pa.
+  // Values in the elements: s h/2, 1 where water flows, dt/h, and the stiffness of the water, Pa.
   Eigen::ArrayXd share_, flowing_, per_length_, water_stiff_;
   // Elastic stiffness, Pa, of the laws, and with what relaxation mechanisms add over a step; what laws see of
   // the strain, and mechanisms take of the laws' stress.

@@ -21,8 +21,8 @@ struct NodeMasses {
   void gather(const std::vector<WetNode>& nodes);
 };
 
-/// How G and R of the nodes, R with what acts on the water, become v and w (marched_node.hpp). Where grains
-/// are held, their velocity stands in for G.
+/// Splits G and R of the nodes, R including the forces on the water, into v and w (marched_node.hpp). Where
+/// grains are held, their velocity replaces G.
 class NodeSplit {
 public:
   /// @param drag_time  kappa, s

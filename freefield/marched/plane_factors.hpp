@@ -6,7 +6,7 @@
 
 namespace tremolo::freefield {
 
-/// What multiplies the in-plane mean, the deviator and xy of stress or strain in the elements of a column.
+/// Factors on the in-plane mean, the deviator and xy of stress or strain in the elements of a column.
 class PlaneFactors {
 public:
   void resize(Eigen::Index elements) {

@@ -10,7 +10,7 @@ namespace tremolo::freefield {
 
 class OdePolarisation;
 
-/// What integrates the column's ordinary differential equations in time (SUNDIALS).
+/// Time integrator of the column's ordinary differential equations (SUNDIALS).
 enum class OdeMethod {
   adams, ///< CVODE, Adams-Moulton of order 1 to 12 with functional iteration: not stiff
   bdf,   ///< CVODE, backward differentiation of order 1 to 5, Newton with banded matrices: stiff
@@ -32,7 +32,7 @@ struct OdeColumnSettings {
   double max_step = 0.01;
 };
 
-/// What the integrator did so far, both polarisations together.
+/// Statistics of the integrator so far, both polarisations together.
 struct OdeStatistics {
   long steps = 0;                ///< accepted
   long rejections = 0;           ///< steps that failed the error test

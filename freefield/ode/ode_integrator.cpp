@@ -52,7 +52,7 @@ std::span<double> values(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
 }
 
-/// What CVODE and the two modules of ARKODE have in common.
+/// Common interface of CVODE and the two modules of ARKODE.
 struct Module {
   int (*evolve)(void*, realtype, N_Vector, realtype*, int);
   int (*state)(void*, realtype, int, N_Vector);

@@ -27,7 +27,7 @@ std::vector<double> tolerances(const OdeSystem& system, const std::vector<OdeCel
   return tolerance;
 }
 
-/// Where each state variable is, m.
+/// Level of each state variable, m.
 std::vector<double> levels(const OdeSystem& system, const StaggeredGrid& grid) {
   std::vector<double> y = {grid.mesh.node_y.front()};
   for (std::size_t e = 0; e < grid.mesh.elements(); ++e) {

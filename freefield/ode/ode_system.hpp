@@ -20,8 +20,8 @@ struct OdeCell {
   materials::Relaxation relaxation = {}; ///< constant damping
 };
 
-/// What the column stands on: rho c of the half-space (Pa s/m), the input motion (m/s) and what
-/// mass-proportional damping is relative to, v_ref of base_motion.hpp (m/s).
+/// Base of the column: rho c of the half-space (Pa s/m), the input motion (m/s), and the reference velocity
+/// of mass-proportional damping, v_ref of base_motion.hpp (m/s).
 struct OdeBase {
   BaseKind kind = BaseKind::compliant;
   double impedance = 0.0;
@@ -44,7 +44,7 @@ public:
 
   std::size_t size() const { return stride_ * cells_.size() + 1; }
   std::size_t cells() const { return cells_.size(); }
-  /// How far from the diagonal the Jacobian has entries.
+  /// Half bandwidth of the Jacobian.
   long bandwidth() const { return static_cast<long>(stride_); }
   std::size_t strain_index(std::size_t cell) const { return 1 + stride_ * cell; }
   std::size_t memory_index(std::size_t cell, std::size_t mechanism) const {

@@ -30,7 +30,7 @@ namespace {
 constexpr double fraction_of_limit = 0.8;
 /// The column at an angle errs the less, the nearer to the limit its steps are.
 constexpr double fraction_at_an_angle = 0.9;
-/// By how much the soil's stiffness may grow: where it goes with pressure, it may double in dilation.
+/// Factor by which the soil's stiffness may grow: if it depends on pressure, it may double in dilation.
 double stiffening(const Profile& profile) {
   const auto follows = [](const Layer& layer) {
     return layer.law && materials::traits(*layer.law).follows_pressure;
@@ -43,7 +43,7 @@ materials::Law with_constants(materials::Law law, const materials::Elasticity& e
   return law;
 }
 
-/// How a column takes soil below the water table.
+/// A column's treatment of soil below the water table.
 enum class Water { in_total_stress, two_phases };
 
 /// A layer as a column takes it: in two phases the skeleton and its pores, otherwise grains and water
@@ -93,7 +93,7 @@ Damping damping_from_case(const scene::Case& scene) {
   return KelvinVoigtDamping{scene.damping.reference_hz.value_or(1.0)}; // without it no layer has a ratio
 }
 
-/// At an angle the base moves as v(t - s x).
+/// At oblique incidence the base moves as v(t - s x).
 ColumnInput rigid_input(const scene::Case& scene, const scene::MotionInput& wave, double x) {
   const scene::Motion motion = scene::motion(wave);
   const bool shear = wave.wave == scene::Wave::sv;
@@ -127,7 +127,7 @@ double time_step(const scene::Case& scene, const Profile& profile, double fracti
   return *scene.fe.dt;
 }
 
-/// What columns of finite elements have in common.
+/// Settings common to all columns of finite elements.
 template <typename Settings>
 Settings element_settings(const scene::Case& scene, const ColumnInput& input) {
   Settings settings;

@@ -21,8 +21,8 @@ std::unique_ptr<Column> column_from_case(const scene::Case& scene, const scene::
 /// v_ref of damping in proportion to mass (base_motion.hpp), m/s, at x (m) and a time (s).
 using RockMotion = std::function<Velocity(double x, double time)>;
 
-/// How the rock below a source's ground would move without soil. No wave may come up beyond the critical
-/// angle of the half-space.
+/// Motion of the rock below a source's ground without the soil. No wave may come up beyond the critical angle
+/// of the half-space.
 RockMotion rock_motion(const scene::Case& scene, const scene::SourceProcess& source);
 
 } // namespace tremolo::freefield

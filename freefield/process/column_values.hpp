@@ -8,7 +8,7 @@
 
 namespace tremolo::freefield {
 
-/// What a source sends of a point, and a recording holds, in their order.
+/// Values of a point in the order in which a source sends and a recording stores them.
 inline std::array<double, 10> served_values(const ColumnSample& s) {
   return {s.vx, s.vy, s.sxx, s.syy, s.sxy, s.vx_rate, s.vy_rate, s.sxx_rate, s.syy_rate, s.sxy_rate};
 }

@@ -7,7 +7,7 @@
 
 namespace tremolo::freefield {
 
-/// What shakes the base of a column.
+/// Input motion at the base of a column.
 struct ColumnInput {
   BaseKind base = BaseKind::compliant;
   InputVelocity velocity;

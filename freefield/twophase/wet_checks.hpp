@@ -14,7 +14,7 @@
 
 namespace tremolo::freefield {
 
-/// What every column of soil and water asks of its ground and its steps.
+/// Conditions that every column of soil and water imposes on its ground and its steps.
 /// @throws std::invalid_argument naming the quantity, its value and the allowed range
 void validate_march(const Profile& profile, const Damping& damping, double time_step, double start_time);
 

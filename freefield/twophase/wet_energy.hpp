@@ -2,9 +2,9 @@
 
 namespace tremolo::freefield {
 
-/// Where the energy of a two-phase column has gone since the start, J per m2 of plan area. Every entry is
-/// measured: stresses and pressure by their work on the strain of their elements, tractions and drag by their
-/// work on the nodes. Balance:
+/// Energy balance of a two-phase column since the start, J per m2 of plan area. Every entry is measured:
+/// stresses and pressure by their work on the strain of their elements, tractions and drag by their work on
+/// the nodes. Balance:
 ///
 ///     base + load + gravity = kinetic + elastic + plastic + pore + drag + damping,
 ///

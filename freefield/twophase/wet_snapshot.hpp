@@ -15,14 +15,14 @@ struct WetSnapshot {
   };
 
   Vector reference; ///< v_ref of base_motion.hpp, m/s
-  // At the nodes.
+  // Values at the nodes.
   std::vector<Vector> u;       ///< displacement of the solid, m
   std::vector<Vector> v;       ///< velocity of the solid, m/s
   std::vector<Vector> a;       ///< acceleration of the solid, m/s2
   std::vector<Vector> a_fluid; ///< of the fluid; where none flows, of the solid
   std::vector<double> flux;    ///< Darcy flux n w, upwards, m/s
   std::vector<double> flux_x;  ///< and sideways
-  // At the element centres, excess over the state at rest, Pa; stress effective, damping included.
+  // Values at the element centres in excess of the state at rest, Pa; stress effective, damping included.
   std::vector<double> sxx, syy, sxy;
   std::vector<double> pressure; ///< excess pore pressure, not below cavitation
 

@@ -37,7 +37,7 @@ struct Table {
   }
 };
 
-/// What a step asks of every element: twice the deviatoric strain, and the rotation by its double angle.
+/// Input of a step to every element: twice the deviatoric strain, and the rotation by its double angle.
 struct Step {
   double xx;
   double yy;
@@ -57,7 +57,7 @@ constexpr std::size_t reduced_entries = 4;
 
 using Group = std::array<double, iwan_group>;
 
-/// In-plane deviatoric stress that yielding takes from the trial stress, Pa.
+/// Reduction of the in-plane deviatoric trial stress by yielding, Pa.
 struct Relaxed {
   Group xx{};
   Group yy{};
@@ -125,7 +125,7 @@ Deviator reduced_stress(std::span<const IwanElement> elements, const LoopReducti
   return combined(share, sum, 2.0 * (1.0 - share) * secant, strain);
 }
 
-/// What the reduced stress takes from the trial stress in a step, given what the elements take from it.
+/// Reduction of the trial stress in a step for reduced loops, given the reduction by the elements.
 /// @param spin    rotation of the step, rad
 /// @param memory  e_xx, e_yy, e_xy, gamma_m
 Deviator relaxed_by_reduced(std::span<const IwanElement> elements, const LoopReduction& loops, double shear,

@@ -37,7 +37,7 @@ struct IwanShear {
   std::optional<double> strength = std::nullopt; ///< largest shear stress, if one was given, Pa
 };
 
-/// How finely and how far the elements follow the backbone.
+/// Resolution and range of the elements' fit to the backbone.
 struct IwanFit {
   std::size_t elements = 32;   ///< a multiple of iwan_group
   double largest_strain = 0.1; ///< engineering shear strain beyond which the stress stays the same

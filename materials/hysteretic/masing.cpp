@@ -14,7 +14,7 @@ struct Turn {
   double stress = 0.0;
 };
 
-/// How many of the oldest points no merging ever touches.
+/// Number of the oldest points that are never merged.
 constexpr std::size_t exact_points = masing_capacity - 2;
 
 std::size_t count(MasingHistory history) {
@@ -98,7 +98,7 @@ double largest_strain(MasingHistory history, const Curve& curve) {
   return curve.kept == 0 ? curve.origin.strain : turn(history, 0).strain;
 }
 
-/// What the Masing rules have on a curve.
+/// Response of the Masing rules on a curve.
 ShearResponse response_on(const Backbone& backbone, const Curve& curve, double strain) {
   if (curve.virgin)
     return backbone.response(strain);

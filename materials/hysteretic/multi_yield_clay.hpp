@@ -43,7 +43,7 @@ struct MultiYieldClay {
   std::vector<IwanElement> elements; ///< one a yield surface, in order of growing yield strain
 };
 
-/// How finely and how far the surfaces follow the curve.
+/// Resolution and range of the surfaces' fit to the curve.
 struct ClaySurfaces {
   std::size_t count = 20;   ///< a multiple of iwan_group
   double peak_strain = 0.1; ///< engineering shear strain at which s_u is reached

@@ -1,7 +1,7 @@
 #pragma once
 
-// What holds for a law that says nothing else. A law is a struct of parameters with a member `elastic`; what
-// it does are functions beside it, in its own header. Each law must have
+// Defaults for laws. A law is a struct of parameters with a member `elastic`; what it does are functions
+// beside it, in its own header. Each law must have
 //
 //     Traits traits(const X&);
 //     std::span<const StateVariable> state_variables(const X&);

@@ -45,7 +45,7 @@ MixedStep first_half(MixedStep step, const Components& stress) {
   return step;
 }
 
-/// What is left of a step after its first half, whose water has been compressed by `volume`.
+/// The second half of a step, after the first half has compressed the water by `volume`.
 MixedStep second_half(MixedStep step, double volume) {
   for (std::size_t i = 0; i < step.value.size(); ++i)
     if (!step.by_stress[i])

@@ -29,7 +29,8 @@ struct PointStrain {
   double zz = 0.0; ///< out of plane; other than zero only for laws with the trait three_dimensional
 };
 
-/// What a step prescribes of one component: the strain increment, or the stress at the end of the step (Pa).
+/// Prescribed quantity of one component in a step: the strain increment, or the stress at the end of the step
+/// (Pa).
 class Control {
 public:
   static Control strain(double increment) { return {false, increment}; }
@@ -63,19 +64,19 @@ struct PointState {
   double plastic_work = 0.0;     ///< since the start per unit volume, J/m3
 };
 
-/// How closely prescribed stresses are met.
+/// Tolerance on prescribed stresses.
 struct StressTolerance {
   double wanted = 1e-6; ///< Pa, or 1e-13 of the largest stress if that is more
-  /// What is accepted where the law lets it come no closer, as a fraction of the largest stress: laws that
-  /// cut a step into sub-steps jump with their number. The error does not accumulate.
+  /// Tolerance accepted if the law allows no better, as a fraction of the largest stress: laws that divide a
+  /// step into sub-steps jump with their number. The error does not accumulate.
   double accepted = 1e-5;
-  /// Where no strain gives the prescribed stress, the nearest state is taken if no more than this fraction of
+  /// If no strain gives the prescribed stress, the nearest state is taken as long as at most this fraction of
   /// the largest stress is missing; 0: such a step is refused. See largest_missing().
   double nearest = 0.0;
 };
 
-/// Where a law that holds a prescribed stress at more than one strain, or at none near where its increments
-/// lead, was followed to another branch (mixed_control.hpp).
+/// Jumps to another branch of a law that gives a prescribed stress at several strains, or at none near the
+/// expected one (mixed_control.hpp).
 struct Leaps {
   std::size_t count = 0;
   PointStrain first;          ///< strain after the first of them

@@ -1,6 +1,6 @@
 #pragma once
 
-// How sands take their points: four side by side, a lane each. A law writes its state as a struct of Reals,
+// Evaluation of sands at four points at a time, a lane each. A law writes its state as a struct of Reals,
 // double for one point and Lanes for four, and its update for Lanes. One point alone goes the same way with
 // three lanes idle, so its bits are those it has in any block.
 

@@ -46,7 +46,7 @@ public:
   ~Law();
 };
 
-/// What a law is like.
+/// Traits of a law.
 Traits traits(const Law& law);
 
 /// The name of the law, e.g. "linear_elastic".
@@ -123,7 +123,7 @@ Law with_contraction_rate(const Law& law, double rate);
 /// Failure and other lines in the plane of p and q, in which trait in_plane says what p and q are.
 std::vector<StrengthLine> strength_lines(const Law& law);
 
-/// What a user of the law should know before trusting it, a sentence or two each.
+/// Cautions to users of the law, a sentence or two each.
 std::vector<std::string> notes(const Law& law);
 
 /// Refuses parameters outside their physical range.

@@ -16,9 +16,9 @@ using Eigen::Index;
 constexpr double refused = std::numeric_limits<double>::infinity();
 constexpr double largest_correction = 0.01; // strain
 
-// As parts of the largest strain increment of a step: how far a root may lie from where it was expected
-// before a nearer one is looked for, the first distance at which that is done, and the distance from which on
-// it belongs to another branch.
+// Fractions of the largest strain increment of a step: the distance of a root from its expected position
+// beyond which a nearer one is sought, the first search distance, and the distance beyond which it belongs to
+// another branch.
 constexpr double surely_near = 0.05;
 constexpr double first_look = 0.05;
 constexpr double another_branch = 0.5;
@@ -179,8 +179,8 @@ private:
     return {x, r[0]};
   }
 
-  /// Where more than one strain holds the stress, soil takes the one next to where it has been going: a root
-  /// that does not lie at the start gives way to one in between.
+  /// If several strains give the stress, the soil takes the first one on its path: a root away from the start
+  /// gives way to one in between.
   void prefer_nearer(const Vector& start) {
     const double distance = std::abs(x_[0] - start[0]);
     if (distance <= surely_near * equations_.largest(start))
@@ -234,7 +234,7 @@ private:
   Vector r_;
 };
 
-/// Where Newton's method ended.
+/// Result of Newton's method.
 struct Root {
   Vector x;
   double missing;  ///< Pa

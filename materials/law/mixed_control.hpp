@@ -23,10 +23,10 @@
 
 namespace tremolo::materials {
 
-/// In the order xx, yy, xy (engineering shear strain; stress), zz.
+/// Components in the order xx, yy, xy (engineering shear strain; stress), zz.
 using Components = std::array<double, 4>;
 
-/// What a step prescribes.
+/// Prescribed values of a step.
 struct MixedStep {
   std::array<bool, 4> by_stress = {};
   Components value = {};       ///< strain increments, or stresses at the end of the step, Pa
@@ -39,7 +39,7 @@ using StressAfter = std::function<bool(const Components& strain, Components& str
 /// Finds strain increments; remembers the tangent and the increments of the last step.
 class MixedControl {
 public:
-  /// What was found.
+  /// Result of a step.
   struct Found {
     Components strain = {};
     double missing =

@@ -5,7 +5,7 @@
 
 namespace tremolo::materials {
 
-/// What `tremolo explain` and `tremolo soiltest` say of one parameter of a law.
+/// One parameter of a law as `tremolo explain` and `tremolo soiltest` print it.
 struct ParameterValue {
   std::string_view name; ///< as in the case file
   double value = 0.0;

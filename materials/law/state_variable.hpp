@@ -4,13 +4,13 @@
 
 namespace tremolo::materials {
 
-/// What output, checkpoints and plots know of one entry of a point's state block.
+/// Description of one entry of a point's state block for output, checkpoints and plots.
 struct StateVariable {
   std::string_view name; ///< as it appears in result files
   std::string_view unit; ///< SI, "1" for none
   std::string_view meaning;
   double initial = 0.0;
-  /// What the law remembers for itself: checkpoints keep it, frames and plots leave it out.
+  /// Whether the variable is internal to the law: checkpoints store it, frames and plots omit it.
   bool internal = false;
 };
 

@@ -4,7 +4,7 @@
 
 namespace tremolo::materials {
 
-/// How a law answers to loading. What a point remembers and what its step costs go with it.
+/// Kind of a law's response to loading, which determines the state of a point and the cost of a step.
 enum class Response {
   elastic,        ///< linear, no memory
   plastic,        ///< elastic inside a yield surface
@@ -12,7 +12,7 @@ enum class Response {
   cyclic_mobility ///< loops that build up pore pressure
 };
 
-/// What the rest of the program asks of a law without knowing which one it is.
+/// Properties of a law that the rest of the program needs without knowing which law it is.
 struct Traits {
   std::string_view name; ///< in messages, e.g. "linear_elastic"
   Response response = Response::elastic;

@@ -131,7 +131,7 @@ std::span<const StateVariable> state_variables(const DruckerPrager& /*law*/) {
   return plastic_strain_state;
 }
 
-/// In space q = sqrt(3 J2), which is sqrt(3) times the q of the cone.
+/// In three dimensions q = sqrt(3 J2), which is sqrt(3) times the q of the cone.
 std::vector<StrengthLine> strength_lines(const DruckerPrager& law) {
   return {{"failure",
            [made = cone(law)](double p) { return std::numbers::sqrt3 * (made.strength + made.slope * p); }}};

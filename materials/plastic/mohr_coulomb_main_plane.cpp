@@ -61,8 +61,8 @@ struct Circle {
           std::sqrt(half * half + points.sxy[i] * points.sxy[i])};
 }
 
-/// What the main plane takes from the principal stresses, Pa, and adds to the plastic strain. Numbers that
-/// are 1 or 0 choose among them in a second loop: a choice in the first one would become a branch.
+/// Corrections of the principal stresses by the main plane, Pa, and of the plastic strain. A second loop
+/// selects them by factors of 1 or 0: a selection in the first loop would become a branch.
 struct Drop {
   Lane first, second, third, plastic_strain;
   Lane softened;          ///< before: the plastic strain, or one at which nothing is left to soften

@@ -25,7 +25,7 @@ public:
 
   double value(const Principal& s) const { return yield_function(s[larger_], s[smaller_], strength_); }
 
-  /// How much a unit of plastic flow on `other` lowers this plane's f, Pa.
+  /// Decrease of this plane's f by a unit of plastic flow on `other`, Pa.
   double relaxation(const Plane& other) const {
     const double sine = strength_.sin_friction;
     return (1.0 + sine) * other.step_[larger_] - (1.0 - sine) * other.step_[smaller_];

@@ -4,7 +4,7 @@
 
 namespace tremolo::materials {
 
-/// Where a damping ratio is to be constant, and by how many relaxation mechanisms.
+/// Frequency band in which a damping ratio is constant, and the number of relaxation mechanisms.
 struct DampingBand {
   double lowest_hz = 0.1;
   double highest_hz = 25.0;
@@ -25,7 +25,7 @@ void validate(const ConstantDamping& damping);
 /// @param ratio  of critical, in [0, 1); throws std::invalid_argument as validate(), and for another
 Relaxation relaxation(const ConstantDamping& damping, double ratio);
 
-/// By how much, relative to it, the ratio is off at most in the band; the same for every ratio.
+/// Largest relative error of the ratio in the band, equal for all ratios.
 double worst_error_of_ratio(const DampingBand& band);
 
 } // namespace tremolo::materials

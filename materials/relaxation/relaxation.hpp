@@ -23,7 +23,7 @@ struct Relaxation {
   Relaxation on_share(double share) const;
 };
 
-/// What a step of one length does to the stress of one mechanism: q -> kept q + taken d sigma.
+/// Update of one mechanism's stress in a step of one length: q -> kept q + taken d sigma.
 struct RelaxationStep {
   double kept = 1.0;
   double taken = 0.0;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the apparatus of a soil test does to the specimen in one increment, and what it measures (the table at
-// the top of soil_test.hpp).
+// Loading of the specimen by the apparatus of a soil test in one increment, and its measurements (the table
+// at the top of soil_test.hpp).
 
 #include "materials/soiltest/soil_test.hpp"
 

@@ -22,8 +22,8 @@ struct Component {
   double held;
 };
 
-/// What the law made of the initial stress, where it is another one; the stress out of plane is not given but
-/// made by laws of plane strain.
+/// A note if the law changed the initial stress; the out-of-plane stress is not given but computed by laws of
+/// plane strain.
 void add_changed_stress(std::vector<std::string>& notes, double level, const materials::PointStress& wanted,
                         const materials::PointTest& point) {
   const materials::PointStress& held = point.stress();

@@ -35,7 +35,7 @@ double mobilised_angle(const materials::PointStress& stress) {
   return difference < sum ? std::asin(difference / sum) : difference > 0.0 ? 0.5 * std::numbers::pi : 0.0;
 }
 
-/// What has been drawn of a loop.
+/// The recorded part of a loop.
 struct LoopSoFar {
   double area = 0.0; ///< int tau d gamma, J/m3
   double most = 0.0; ///< tau, Pa
@@ -141,7 +141,7 @@ private:
     end(End::completed, fmt::format("the strain reached {:g}", loading.strain));
   }
 
-  /// In equal increments to a strain.
+  /// Loads in equal increments to a strain.
   void strain_to(double goal, const HalfCycle& half) {
     const double start = apparatus_.strain(point_);
     const std::size_t steps = increments(goal - start, test_.strain_increment);
@@ -212,7 +212,7 @@ private:
     }
   }
 
-  /// To the end of a half cycle; false if the test ended on the way.
+  /// Loads to the end of a half cycle; false if the test ended on the way.
   bool stress_to(const StressCycles& loading, const HalfCycle& half, double sign) {
     bool reversal = false;
     while (!reversal) {

@@ -4,7 +4,7 @@
 
 namespace tremolo::soiltest {
 
-/// What a test may take at most.
+/// Limits on the size of a test.
 inline constexpr double most_increments = 1e8;
 inline constexpr double most_rows = 1e7; ///< of the history: about 2 GB
 

@@ -80,7 +80,7 @@ struct InitialState {
   bool bias_in_initial_stress = false;
 };
 
-/// To a strain, positive, in the sense of the test: gamma_xy, or eps_a (compression or extension).
+/// Loading to a strain, positive in the sense of the test: gamma_xy, or eps_a (compression or extension).
 struct Monotonic {
   double strain = 0.1;
 };

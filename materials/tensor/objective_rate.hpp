@@ -14,7 +14,7 @@
 
 namespace tremolo::materials {
 
-/// In-plane components of the Cauchy stress, Pa.
+/// The in-plane components of the Cauchy stress, Pa.
 template <typename Real>
 struct InPlaneStressOf {
   Real xx{};

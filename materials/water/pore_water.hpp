@@ -26,7 +26,7 @@ struct PoreFluid {
   double cavitation_pressure = -90.0e3; ///< the lowest pore pressure there can be, gauge, Pa; at most 0
 };
 
-/// What water does in a soil below the table.
+/// Behaviour of the water in a soil below the table.
 enum class Drainage {
   coupled,   ///< it flows by Darcy's law: two velocities, one pore pressure
   undrained, ///< it moves with the grains: one velocity, one pore pressure
@@ -57,7 +57,7 @@ inline double porosity_of(double void_ratio) {
 double dry_density(const PoreSpace& pores);
 /// Density of grains and water together, kg/m3.
 double saturated_density(const PoreSpace& pores, const PoreFluid& water);
-/// What a soil under water weighs less the water that it displaces, over g: rho - rho_f, kg/m3.
+/// Buoyant density of a submerged soil: rho - rho_f, kg/m3.
 double buoyant_density(const PoreSpace& pores, const PoreFluid& water);
 
 /// Q = K_f/n, Pa: rise of pore pressure per unit of volume strain where no water leaves.

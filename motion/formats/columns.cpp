@@ -22,7 +22,7 @@ struct Columns {
   bool times = false; ///< in front of the components
 };
 
-/// What stands between strokes: "/N00E/N90E" has two texts.
+/// The texts between slashes: "/N00E/N90E" has two.
 std::vector<std::string> between_strokes(std::string_view text) {
   std::vector<std::string> found;
   for (auto stroke = text.find('/'); stroke != std::string_view::npos;) {

@@ -13,7 +13,7 @@ namespace tremolo::motion {
 
 namespace {
 
-/// What the text of a header says of its channel.
+/// A header's statements about its channel.
 struct Channel {
   std::string name;
   std::string baseline;

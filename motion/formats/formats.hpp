@@ -38,7 +38,7 @@ struct Format {
   bool peer_units = false;
 };
 
-/// In the order in which they are tried; the last one takes any text.
+/// The formats in the order in which they are tried; the last one accepts any text.
 std::span<const Format> formats();
 
 std::vector<Trace> read_peer(Lines& lines, const ReadAs& as);
@@ -62,11 +62,10 @@ struct PeerHeader {
   double dt = 0.0; ///< s
 };
 
-/// From a line where each is followed by its number, or two numbers by the names in the same order.
+/// Reads a line in which each name is followed by its number, or two numbers by the names in that order.
 std::optional<PeerHeader> peer_header(std::string_view line);
 
-/// From a line of two numbers and nothing else, one a whole number of samples and the other a step: "4684
-/// 0.0100".
+/// Reads a line of exactly two numbers, one a whole number of samples and the other a step: "4684 0.0100".
 std::optional<PeerHeader> count_and_step(std::string_view line);
 
 /// Samples to the end of the file, in free columns or in fixed ones that touch.

@@ -136,7 +136,7 @@ std::size_t column_of(const Lines& lines, const ReadAs& as, const Header& header
   return *place + 1;
 }
 
-/// What of the first column is said by its name, s.
+/// The time unit that the name of the first column states, s.
 double time_unit(const std::string& name, const std::filesystem::path& file) {
   if (const auto unit = seconds_per_time(name))
     return *unit;

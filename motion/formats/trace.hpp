@@ -1,7 +1,7 @@
 #pragma once
 
-// What readers find in files: traces, and what is stated of each. Which of them is read, and what its unit
-// is, is decided in one place for all formats.
+// Traces that readers find in files, with the statements about each. The choice of a trace and of its unit is
+// made in one place for all formats.
 
 #include "motion/read/read.hpp"
 #include "motion/read/stated.hpp"

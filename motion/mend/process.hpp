@@ -46,7 +46,7 @@ struct Band {
 /// allowed
 std::vector<double> band_passed(std::span<const double> samples, double dt, const Band& band);
 
-/// What the baseline's polynomial is fitted to.
+/// The series that the baseline's polynomial is fitted to.
 enum class BaselineFit { velocity, displacement };
 
 /// Subtracts from the acceleration a polynomial whose integral (of `degree`, at least 1) fits the velocity,

@@ -17,8 +17,8 @@
 
 namespace tremolo::motion {
 
-/// What the caller knows of the file. It settles what name and header leave open, or contradict each other
-/// in; it may not contradict both.
+/// The caller's knowledge of the file. It settles what name and header leave open or contradict each other
+/// in; it must not contradict both.
 struct ReadAs {
   std::optional<Quantity> quantity;
   std::optional<Unit> unit;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_rows = 100000;
 
-/// Where the columns stand.
+/// Positions of the columns.
 struct Columns {
   std::size_t count = 0;
   std::size_t period = 0;

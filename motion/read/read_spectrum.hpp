@@ -13,7 +13,7 @@ namespace tremolo::motion {
 /// @throws RecordError if the file cannot be read or holds no such table
 TargetSpectrum read_spectrum(const std::filesystem::path& file);
 
-/// From a stream; `file` names it in messages.
+/// Reads a spectrum from a stream; `file` names it in messages.
 TargetSpectrum parse_spectrum(std::istream& stream, const std::filesystem::path& file);
 
 } // namespace tremolo::motion

@@ -75,7 +75,7 @@ Stated stated_in_peer(std::string_view line) {
   const auto units = text.find("UNITS");
   if (units == std::string::npos)
     return {};
-  // What follows the unit's sentence, such as filter points, does not speak of the samples.
+  // The text after the unit's sentence, such as filter points, does not describe the samples.
   std::size_t end = units;
   while (end < line.size() && line[end] != ';' &&
          !(line[end] == '.' &&

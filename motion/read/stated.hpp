@@ -1,7 +1,6 @@
 #pragma once
 
-// What a file says of itself, in its name and in its header, and what follows from that together with what
-// the caller says.
+// Statements of a file about itself, in its name and its header, combined with those of the caller.
 
 #include "motion/read/read.hpp"
 #include "motion/read/units.hpp"
@@ -19,11 +18,11 @@ inline constexpr double coarsest_step = 10.0;
 /// m/s2, m/s or m; no motion of the ground comes near.
 inline constexpr double largest_sample = 1e6;
 
-/// By extension: .AT2 acceleration, .VT2 velocity, .DT2 displacement.
+/// Statements by the file's extension: .AT2 acceleration, .VT2 velocity, .DT2 displacement.
 Stated stated_by_name(const std::filesystem::path& file);
 
-/// From a header line of a PEER file, e.g. "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: ...":
-/// such a line names the units; others say nothing.
+/// Statements of a header line of a PEER file, e.g. "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS:
+/// ...", which names the units; empty for other lines.
 Stated stated_in_peer(std::string_view line);
 
 /// PEER's own unit of a quantity: g, cm/s, cm.

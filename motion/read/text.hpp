@@ -39,14 +39,14 @@ private:
 /// Without the blanks at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// With one blank between words, and none at the ends.
+/// The text with one blank between words and none at the ends.
 std::string squeezed(std::string_view text);
 
 /// Whether a line holds, or begins with, a text in capitals; the line may be in either case.
 bool says(std::string_view line, std::string_view capitals);
 bool begins(std::string_view line, std::string_view capitals);
 
-/// What stands behind a text in capitals; nothing if the line does not hold it.
+/// The text after some words in capitals; empty if the line does not contain them.
 std::optional<std::string_view> after(std::string_view line, std::string_view capitals);
 
 /// A number as printed.
@@ -66,7 +66,7 @@ std::vector<double> fixed_fields(Lines& lines, std::size_t width, std::size_t co
 /// The width of a field in a format as Fortran writes it: 10 of "(8F10.3)"; nothing if there is none.
 std::optional<std::size_t> field_width(std::string_view format);
 
-/// What stands between blanks, commas, semicolons and equals signs.
+/// The words between blanks, commas, semicolons and equals signs.
 std::vector<std::string_view> words(std::string_view line);
 
 /// A finite number as Fortran may write it: ".5", "+1.", "1.0D-3".

@@ -25,15 +25,15 @@ constexpr std::array<Word, 14> factor_words = {{{"percent", 1e-2},
                                                 {"fraction", 1.0},
                                                 {"fractions", 1.0}}};
 
-/// In g.
+/// Factors on g.
 constexpr std::array<Word, 7> parts_of_g = {
     {{"g", 1.0}, {"mg", 1e-3}, {"millig", 1e-3}, {"ug", 1e-6}, {"microg", 1e-6}, {"cg", 1e-2}, {"dg", 1e-1}}};
 
-/// In cm/s2.
+/// Factors on cm/s2.
 constexpr std::array<Word, 5> gals = {
     {{"gal", 1.0}, {"gals", 1.0}, {"mgal", 1e-3}, {"milligal", 1e-3}, {"milligals", 1e-3}}};
 
-/// In m.
+/// Lengths in m.
 constexpr std::array<Word, 20> lengths = {{{"m", 1.0},           {"meter", 1.0},        {"meters", 1.0},
                                            {"metre", 1.0},       {"metres", 1.0},       {"cm", 1e-2},
                                            {"cms", 1e-2},        {"centimeter", 1e-2},  {"centimeters", 1e-2},

@@ -63,7 +63,7 @@ bool is_factor(const UnitToken& token) {
          is_one_of(token, strange_words);
 }
 
-/// What is found in the tokens of a text.
+/// Units and quantities found in the tokens of a text.
 struct Parsed {
   std::vector<ScaledUnit> units;
   std::set<Quantity> quantities;

@@ -19,7 +19,7 @@
 
 namespace tremolo::motion {
 
-/// What a text says of the samples that it belongs to.
+/// Statements of a text about the samples that it belongs to.
 struct Stated {
   std::optional<Quantity> quantity = std::nullopt;
   std::optional<ScaledUnit> unit = std::nullopt;
@@ -28,8 +28,8 @@ struct Stated {
   std::string strange = {};
 };
 
-/// From a text that speaks of this motion alone, such as the name of a column. Words that contradict each
-/// other say nothing.
+/// Statements of a text that describes this motion alone, such as the name of a column. Contradictory words
+/// are ignored.
 /// @param strict_from  from this character on every word must be understood; before it only numbers, signs
 ///                     and words of factors are strange
 Stated stated_in(std::string_view text, std::size_t strict_from = 0);

@@ -20,7 +20,7 @@ void require_plain(const std::string& line) {
         "'{}' cannot be a title: one line that speaks neither of UNITS nor of NPTS and DT", shown(line)));
 }
 
-/// With four decimals as PEER has it where that is exact.
+/// The step with four decimals, as in PEER's files, if that is exact.
 std::string step_text(double dt) {
   const std::string four = fmt::format("{:7.4f}", dt);
   return number(words(four).front()) == dt ? four : fmt::format("{}", dt);

@@ -23,7 +23,8 @@ std::string csv_text(const Record& record);
 /// Whether a file with this beginning is one that write_record() wrote.
 bool is_written_record(std::string_view head);
 
-/// By extension: .AT2, .VT2, .DT2 in PEER's unit of that quantity, .csv in the record's unit.
+/// Writes the format given by the extension: .AT2, .VT2, .DT2 in PEER's unit of that quantity, .csv in the
+/// record's unit.
 /// @throws std::invalid_argument for another extension, std::runtime_error where it cannot be written
 void write_record(const Record& record, const std::filesystem::path& file, const Title& title);
 

@@ -99,7 +99,7 @@ double relative_change(double before, double after) {
   return before == after ? 0.0 : std::abs(after - before) / std::max(std::abs(after), std::abs(before));
 }
 
-/// What a step does to a layer.
+/// Update of a layer in an iteration.
 struct Softening {
   double modulus_change = 0.0; ///< relative
   double damping_change = 0.0; ///< relative

@@ -129,7 +129,7 @@ FieldSpectra::FieldSpectra(const FieldSetup& setup, const SignalSpectrum& signal
   for (std::size_t k = 0; k < bins; ++k) {
     const Complex s = window_.s(k);
     const std::vector<LayerAmplitudes>& amplitudes = reflectivity_.solve(s);
-    // From the reference point to the top of the half-space.
+    // Delay from the reference point to the top of the half-space.
     const Complex delay =
         reflectivity_.incident_slowness() * (setup.incidence.y_reference - top_of_half_space);
     const Complex incident = signal.velocity[k] * std::exp(s * delay);

@@ -59,7 +59,7 @@ public:
   /// @param media  indices in which spectra will be asked for
   FieldSpectra(const FieldSetup& setup, const SignalSpectrum& signal, std::span<const std::size_t> media);
 
-  /// At level y (m) in a medium; velocity always, stress and strain where asked for. Overwrites `spectra`.
+  /// Spectra at level y (m) in a medium; velocity always, stress and strain on request. Overwrites `spectra`.
   void at(double y, std::size_t medium, const Quantities& quantities, DepthSpectra& spectra) const;
 
   double slowness_x() const { return reflectivity_.slowness_x(); }

@@ -13,7 +13,7 @@ namespace tremolo::wavefield {
 
 struct FieldSetup;
 
-/// How the periodic window of the Fourier synthesis is chosen.
+/// Choice of the periodic window of the Fourier synthesis.
 struct SynthesisOptions {
   /// Length of the window over that of signal and requested times together, at least 1. Without it the window
   /// is doubled until the surface motion no longer changes.
@@ -62,7 +62,7 @@ public:
   std::vector<History> sample(std::span<const Point> points, const TimeGrid& grid, Part part = Part::total,
                               const Quantities& quantities = {}) const;
 
-  /// What changes at the points when the window that sample() chooses is doubled.
+  /// Change at the points when the window chosen by sample() is doubled.
   WrapAroundError wrap_around_error(std::span<const Point> points, const TimeGrid& grid) const;
 
   /// Horizontal slowness, s/m: the field at x is the field at x_0 delayed by slowness_x() (x - x_0).

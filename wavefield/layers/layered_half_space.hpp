@@ -11,8 +11,8 @@
 
 namespace tremolo::wavefield {
 
-/// What the complex modulus of a soil with damping ratio xi is at s = i omega, G its undamped modulus; the
-/// same for the P-wave modulus.
+/// Complex modulus of a soil with damping ratio xi at s = i omega, with G its undamped modulus; likewise for
+/// the P-wave modulus.
 enum class DampingModel {
   none,         ///< G
   hysteretic,   ///< G (1 + 2 i xi)
@@ -48,7 +48,7 @@ struct Layer {
   double vp = 0.0;                 ///< undamped compressional wave speed, m/s
   double damping = 0.0;            ///< damping ratio xi of the shear modulus, 1
   std::optional<double> damping_p; ///< of the P-wave modulus; that of the shear modulus if not given
-  /// How much of the P-wave modulus relaxes under damping `constant`: in saturated soil G/M alone.
+  /// Fraction of the P-wave modulus that relaxes under damping `constant`: in saturated soil G/M.
   double relaxing_share_p = 1.0;
 };
 

@@ -28,7 +28,7 @@ public:
               const std::function<void(std::size_t, const std::vector<History>&)>& take) const;
 
 private:
-  /// How long before and after a motion its field is, s.
+  /// Times by which a field extends before and after its motion, s.
   struct Reach {
     double before = 0.0, after = 0.0;
   };

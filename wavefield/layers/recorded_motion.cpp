@@ -89,7 +89,7 @@ IncidentSpectrum incident_spectrum(const LayeredHalfSpace& profile, WaveType wav
   const auto component = wave == WaveType::SV ? &Amplitude::ux : &Amplitude::uy;
 
   IncidentSpectrum spectrum{.bins = std::vector<std::complex<double>>(recorded.size()), .amplification = {}};
-  // At zero frequency the layers ride on the half-space: the lowest frequency gives its factor.
+  // At zero frequency the layers move with the half-space: the lowest frequency gives the factor.
   const double riding = (transfers.front().front().*component).real();
   spectrum.bins[0] = recorded[0] / (length * riding);
   spectrum.amplification.push_back(1.0 / std::abs(riding));

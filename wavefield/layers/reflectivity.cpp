@@ -120,7 +120,7 @@ Reflectivity::Reflectivity(const LayeredHalfSpace& profile, WaveType wave, doubl
 void Reflectivity::factorise(Complex s) {
   for (std::size_t j = 0; j < media_.size(); ++j) {
     Medium& medium = media_[j];
-    // At s = 0 all moves as one, with the outcrop or without damping.
+    // At s = 0 everything moves with the outcrop, or undamped.
     const Complex braked = s == 0.0 ? Complex(1.0) : 1.0 + mass_damping(profile_, j) / s;
     const Complex rho = density(profile_, j) * braked;
     medium.moduli = moduli_[j].at(s);
@@ -156,7 +156,8 @@ void Reflectivity::factorise(Complex s) {
   }
 }
 
-/// What each layer of Rayleigh damping carries per unit incident velocity at the top of the half-space.
+/// Velocity carried by each layer with Rayleigh damping, per unit incident velocity at the top of the
+/// half-space.
 void Reflectivity::carry(Complex s) {
   if (profile_.damping.model != DampingModel::rayleigh || s == 0.0)
     return;

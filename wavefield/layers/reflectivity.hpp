@@ -53,7 +53,7 @@ private:
     ComplexModuli moduli;
     WaveBasis basis;
   };
-  /// What an interface does to the waves that leave it, given those that come to it.
+  /// Scattering at an interface: outgoing waves for given incoming ones.
   struct Interface {
     Eigen::Matrix2cd up_from_above, down_from_above; ///< both caused by the wave coming down from above
     Eigen::Matrix2cd up_from_below, down_from_below; ///< both caused by the wave coming up from below

@@ -14,7 +14,7 @@ namespace tremolo::wavefield {
 
 namespace {
 
-/// What the iteration takes for a layer: the curves of its soil, or a linear layer's constants.
+/// Curves of a layer for the iteration: those of its soil, or a linear layer's constants.
 StrainCurves curves_of(const scene::Case& scene, const scene::Layer& layer) {
   const double damping = layer.damping;
   if (!layer.soil || !scene.soils[*layer.soil].curves)
@@ -48,7 +48,7 @@ std::vector<double> acceleration_of(const Signal& signal, double dt) {
   return motion::band_limited_slope(velocity, dt);
 }
 
-/// What an iteration works on.
+/// The ground of an iteration.
 struct CurvedGround {
   LayeredHalfSpace ground;
   std::vector<StrainCurves> curves;

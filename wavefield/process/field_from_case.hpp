@@ -35,7 +35,7 @@ std::vector<std::size_t> layers_beyond_their_curves(const scene::Case& scene,
 Superposition field_from_case(const scene::Case& scene, const scene::SourceProcess& source,
                               const EquivalentLinearResult& result);
 
-/// In words: whether the iteration converged, in how many steps, its largest strain, and where the damping of
+/// A text on whether the iteration converged, in how many steps, its largest strain, and where the damping of
 /// the curves was too large for the complex moduli.
 std::string summary(const EquivalentLinearResult& result);
 

@@ -19,7 +19,7 @@ namespace tremolo::wavefield {
 namespace {
 
 constexpr std::size_t level_bytes = ServedSteps::values_per_level * sizeof(double);
-/// What is turned round at a time.
+/// Size of a block that is transposed at a time.
 constexpr std::size_t block_bytes = std::size_t{1} << 20;
 
 std::string folder() {

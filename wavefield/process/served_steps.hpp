@@ -46,7 +46,7 @@ private:
     std::size_t steps = 0;
   };
 
-  /// Where the values of a step begin for levels of a piece, the first of which is the lowest of a lot.
+  /// Position of a step's values for the levels of a piece, the first of which is the lowest of a lot.
   std::size_t place(const Piece& piece, std::uint64_t step, std::size_t first_level,
                     std::size_t levels) const;
 

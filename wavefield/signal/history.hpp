@@ -22,7 +22,8 @@ struct Point {
   Side side = Side::above; ///< matters on an interface only
 };
 
-/// What sample() shall compute; the series of the others stay empty. Each costs a Fourier transform a series.
+/// Quantities that sample() computes; the other series stay empty. Each costs one Fourier transform per
+/// series.
 struct Quantities {
   bool displacement = true;
   bool velocity = true;

@@ -47,7 +47,7 @@ struct Problem {
   }
 };
 
-/// Where the curve passes closest to G/Gmax = 1/2, a start that no far-off minimum is near.
+/// First guess from the point closest to G/Gmax = 1/2, a start away from remote minima.
 Line first_guess(const Problem& problem) {
   std::size_t best = 0;
   const auto& ratio = problem.curves.modulus_ratio;

@@ -30,7 +30,7 @@ struct SoilCurves {
 /// @throws std::invalid_argument naming the row, the value and the allowed range
 void validate(const SoilCurves& curves);
 
-/// What the curves of Darendeli (2001) depend on.
+/// Parameters of the curves of Darendeli (2001).
 struct Darendeli {
   double plasticity_index = 0.0;        ///< PI, per cent
   double overconsolidation_ratio = 1.0; ///< OCR

@@ -33,7 +33,7 @@
 
 namespace tremolo::materials {
 
-/// How the friction angle fixes the circular cones.
+/// Relation of the friction angle to the circular cones.
 enum class Pdmy03Cone {
   triaxial_compression, ///< M = 6 sin(phi)/(3 - sin(phi)), the one the recommended sets are meant for
   triaxial_extension,   ///< M = 6 sin(phi)/(3 + sin(phi))
@@ -53,7 +53,7 @@ struct ModulusReduction {
 
 inline constexpr std::size_t most_pdmy03_surfaces = 40;
 
-/// What a user gives. Without `relative_density` every value that has no default must be given; with it, the
+/// Input by the user. Without `relative_density` every value that has no default must be given; with it, the
 /// recommended set of that density stands in for what is not.
 struct Pdmy03Input {
   std::optional<double> relative_density; ///< one of 0.33, 0.57, 0.74, 0.87; nothing between them
@@ -80,7 +80,7 @@ struct Pdmy03Input {
   std::vector<ModulusReduction> modulus_reduction;
 };
 
-/// Where a value in force comes from.
+/// Origin of a value in force.
 enum class Pdmy03Origin : unsigned char { given, table, fallback, curve };
 
 /// The parameters in force, resolved. Made by pdmy03().
@@ -101,7 +101,7 @@ struct Pdmy03 {
   Pdmy03Cone cone = Pdmy03Cone::triaxial_compression;
   bool cone_given = false;
 
-  // What follows from them (pdmy03_surfaces.hpp); index i is the surface, 0 the elastic core.
+  // Derived values (pdmy03_surfaces.hpp); index i is the surface, 0 the elastic core.
   std::size_t surfaces = 0;
   double residual_pressure = 0.0;                                 ///< p_res, Pa
   double transformation_ratio = 0.0;                              ///< eta_PT
@@ -165,8 +165,8 @@ void stiffness_ratios(const Pdmy03& law, const Points& points, double* ratios);
 /// Every value in force, with unit, meaning and origin.
 std::vector<ParameterValue> parameters(const Pdmy03& law);
 
-/// What a user of these parameters should know before trusting them, e.g. the strength of a triaxial
-/// compression cone in plane strain. One sentence or two each.
+/// Cautions to users of these parameters, e.g. about the strength of a triaxial compression cone in plane
+/// strain, one sentence or two each.
 std::vector<std::string> notes(const Pdmy03& law);
 
 } // namespace tremolo::materials

@@ -101,7 +101,7 @@ private:
     return gathered(table, place_);
   }
 
-  /// What follows from the active surfaces.
+  /// Computes the values derived from the active surfaces.
   void look_ahead() {
     Places ahead, least;
     for (std::size_t lane = 0; lane < 4; ++lane) {

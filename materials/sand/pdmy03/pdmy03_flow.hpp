@@ -42,7 +42,7 @@ inline Lanes cyclic_factor(const Pdmy03& law, const Lanes& shear_ratio, const La
   return (1.0 + change * change * change) * bias * bias;
 }
 
-/// Where a part of an increment crosses the critical state line.
+/// Lanes in which a part of an increment crosses the critical state line.
 inline LaneMask crosses_critical_state(const Pdmy03& law, const FlowStress& stress) {
   namespace critical = pdmy03_critical;
   const auto void_ratio = [](const Lanes& volume) {

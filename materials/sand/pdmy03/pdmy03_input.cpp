@@ -1,4 +1,4 @@
-// From what a user gives to the parameters in force.
+// Conversion of the user's input to the parameters in force.
 
 #include "materials/law/parameter_check.hpp"
 #include "materials/sand/pdmy03/pdmy03.hpp"

@@ -17,7 +17,7 @@ static_assert(parameter_count == Pdmy03::origin_count);
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-/// How far cyclic strength confirms an entry of the recommended sets.
+/// Evidence of cyclic strength for an entry of the recommended sets.
 enum class Evidence { published, strength, none };
 
 struct Description {
@@ -104,7 +104,7 @@ std::string origin(const Pdmy03& law, std::size_t k) {
   return "default";
 }
 
-/// What follows from the parameters, and what the law fixes.
+/// Appends the derived values, and those that the law fixes.
 void append_derived(const Pdmy03& law, std::vector<ParameterValue>& list) {
   namespace critical = pdmy03_critical;
   list.push_back({"cone", static_cast<double>(law.cone), "1", "test in which the cone has the friction angle",

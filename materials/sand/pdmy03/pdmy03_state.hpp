@@ -17,8 +17,8 @@
 
 namespace tremolo::materials {
 
-/// What a block begins with, in the order of state_variables(const Pdmy03&). Real is double for one point, or
-/// Lanes for four.
+/// Leading variables of a state block, in the order of state_variables(const Pdmy03&). Real is double for one
+/// point, or Lanes for four.
 template <typename Real>
 struct Pdmy03StateOf {
   Real rotation{};         ///< of the material since the start, rad

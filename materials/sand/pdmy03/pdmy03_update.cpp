@@ -256,7 +256,7 @@ void Step::correct(LaneMask which, const IncrementStart& start, const Stiffness&
     active_.move(which & ~crosses, translated_centre(cone, next, s, now));
     if (!any(crosses))
       return;
-    // What lies beyond has been corrected with the modulus of the surface before.
+    // The part beyond was corrected with the modulus of the previous surface.
     const Lanes before = active_.plastic_modulus();
     active_.advance(crosses);
     beyond = (before - active_.plastic_modulus()) / before;

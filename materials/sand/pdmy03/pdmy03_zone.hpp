@@ -17,7 +17,7 @@ Real octahedral_strain(const Deviator3Of<Real>& e) {
   return 2.0 / std::sqrt(3.0) * norm(e);
 }
 
-/// What the flow rule keeps from the start of an increment while its parts are taken.
+/// State at the start of an increment that the flow rule keeps during its parts.
 struct IncrementStart {
   Deviators3 increment; ///< deviator of the whole strain increment
   Lanes damage;         ///< ((p_max - p')/(p_max + p_res))^(1/4)

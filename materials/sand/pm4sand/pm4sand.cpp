@@ -19,7 +19,7 @@ namespace {
 /// The largest component of a strain increment.
 constexpr double largest_increment = 0.02;
 
-/// In-plane stress, tension positive, as p and s, compression positive.
+/// Converts in-plane stress, tension positive, to p and s, compression positive.
 template <typename Real>
 pm4::StressOf<Real> compression(const InPlaneStressOf<Real>& stress) {
   return {-0.5 * (stress.xx + stress.yy), {-0.5 * (stress.xx - stress.yy), -stress.xy}};

@@ -26,7 +26,7 @@ namespace tremolo::materials::pm4 {
 
 using Sites = SiteOf<Lanes>;
 
-/// What plastic modulus and dilatancy share: products of the state with the direction of loading.
+/// Quantities shared by plastic modulus and dilatancy: products of the state with the direction of loading.
 struct Directions {
   Deviators n;      ///< unit tensor
   Lanes alpha_n;    ///< alpha:n

@@ -83,7 +83,7 @@ Lanes error2_between(const Sites& at, const Changes& a, const Changes& b) {
   return 0.25 * larger(in_fabric, larger(contract(dalpha, dalpha), in_stress));
 }
 
-/// How far a stress lies outside the yield surface, Pa.
+/// Distance of a stress outside the yield surface, Pa.
 Lanes outside_yield(const Pm4Sand& law, const Deviators& alpha, const Stresses& stress) {
   return norm(stress.s - stress.p * alpha) - law.m * stress.p / sqrt2;
 }
@@ -223,7 +223,7 @@ Integrated integrate(const Pm4Sand& law, States& states, Stresses& stress, const
   const Lanes one = all(1.0);
   const Lanes size = largest_component(increment);
   const Lanes largest = law.integration.largest_strain / size;
-  // Where loading slides along the bounding surface the plastic modulus has no smallest scale.
+  // When loading slides along the bounding surface, the plastic modulus has no smallest scale.
   const Lanes smallest = law.integration.smallest_strain / size;
   const double tolerance2 = law.integration.tolerance * law.integration.tolerance;
   Integrated result;

@@ -22,7 +22,7 @@
 
 namespace tremolo::materials::pm4 {
 
-/// What an integration leaves besides stresses and states.
+/// Results of an integration besides stresses and states.
 struct Integrated {
   Lanes plastic_work{}; ///< J/m3; NaN where no finite stress follows: stress and state then have no meaning
   long attempts = 0;    ///< at a sub-step of the four: what the integration costs

@@ -1,9 +1,9 @@
 #pragma once
 
-// What PM4Sand does at a reversal of loading, which is where the back stress ratio begins to move back
-// towards the true initial one, (alpha - alpha_in_true):n < 0 (Boulanger & Ziotopoulou 2017, sections 2.6
-// and 2.9). The apparent initial ratio differs from the true one at a small reversal on the same side as the
-// one before (the xy components show it): loading then goes on as if it had not been interrupted.
+// PM4Sand at a reversal of loading, which occurs when the back stress ratio begins to move back towards the
+// true initial one, (alpha - alpha_in_true):n < 0 (Boulanger & Ziotopoulou 2017, sections 2.6 and 2.9). The
+// apparent initial ratio differs from the true one at a small reversal on the same side as the one before
+// (the xy components show it): loading then goes on as if it had not been interrupted.
 
 #include "materials/sand/pm4sand/pm4sand_state.hpp"
 

@@ -25,7 +25,7 @@ inline Strains operator*(const Lanes& factor, const Strains& strain) {
   return {factor * strain.volumetric, factor * strain.e};
 }
 
-/// What a (sub-)step changes.
+/// Changes in a (sub-)step.
 struct Changes {
   Stresses stress;
   Deviators alpha;

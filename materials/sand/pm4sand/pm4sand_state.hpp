@@ -1,6 +1,6 @@
 #pragma once
 
-// What a point of PM4Sand remembers. Compression positive, in the axes of the material. Back stress ratio and
+// State of a point of PM4Sand, compression positive, in the axes of the material. Back stress ratio and
 // fabric are traceless; the apparent initial back stress is made component by component and need not be. Real
 // is double for one point, or Lanes for four (pm4sand_four.hpp).
 
@@ -34,7 +34,7 @@ struct StressOf {
 };
 using Stress = StressOf<double>;
 
-/// What changes at every step.
+/// Variables that change at every step.
 template <typename Real>
 struct MotionOf {
   DeviatorOf<Real> alpha;   ///< back stress ratio
@@ -46,7 +46,7 @@ struct MotionOf {
 };
 using Motion = MotionOf<double>;
 
-/// What follows from the initial stress and stays.
+/// Constants that follow from the initial stress.
 template <typename Real>
 struct InitialOf {
   Real z_max{};
@@ -56,7 +56,7 @@ struct InitialOf {
 };
 using Initial = InitialOf<double>;
 
-/// What changes at a reversal only.
+/// Variables that change at a reversal only.
 template <typename Real>
 struct MemoryOf {
   Real p_zp{};                        ///< p at the reversal with the largest z p, Pa

@@ -16,21 +16,21 @@ namespace tremolo::soiltest {
 /// A law whose parameter has the given value.
 using LawOf = std::function<materials::Law(double parameter)>;
 
-/// What is wanted.
+/// Target of a calibration.
 struct StrengthTarget {
   double stress_ratio = 0.0;
   double cycles = 15.0;
   Criterion criterion = Criterion::strain_3pc;
 };
 
-/// Where to look for the parameter.
+/// Search range of the parameter.
 struct ParameterRange {
   double guess = 0.0;
   double least = 0.0;
   double most = 0.0;
 };
 
-/// What was found.
+/// Result of a calibration.
 struct Calibration {
   double parameter = 0.0;
   double cycles = 0.0;         ///< achieved at the wanted stress ratio

@@ -23,7 +23,7 @@ inline constexpr double sand_exponent = 0.34;
 inline constexpr double least_stress_ratio = 0.01;
 inline constexpr double largest_stress_ratio = 3.0;
 
-/// What counts as failure in a cyclic test.
+/// Failure criteria of a cyclic test.
 enum class Criterion { strain_1pc, strain_3pc, strain_5pc, double_amplitude_5pc, ru_98 };
 constexpr auto words(Criterion) {
   return word_table<Criterion>({{Criterion::strain_1pc, "strain_1pc"},

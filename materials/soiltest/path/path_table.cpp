@@ -34,7 +34,7 @@ double number(std::string_view cell, int line) {
   return value;
 }
 
-/// Where the columns of a path stand.
+/// Positions of a path's columns.
 class Columns {
 public:
   Columns(std::string_view header, const Path& path) : names_(cells(header)) {

@@ -13,7 +13,7 @@ namespace tremolo::soiltest {
 /// Names of the columns of stress, xx, yy, xy, zz.
 inline constexpr std::array<std::string_view, 4> stress_names = {"sig_xx", "sig_yy", "sig_xy", "sig_zz"};
 
-/// Where a row stands, for messages: "row 4 of the path (line 5)", without the line if it has no table.
+/// Position of a row, for messages: "row 4 of the path (line 5)", without the line if it has no table.
 std::string place(const PathRow& row, std::size_t index);
 
 /// Reads a path from comma-separated columns named in the first line: step, eps_xx, eps_yy, gamma_xy (and
