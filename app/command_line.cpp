@@ -155,7 +155,7 @@ OptionRow Option::row() const {
   for (const std::string& name : option_.get_lnames())
     row.names.push_back("--" + name);
   if (option_.get_items_expected_max() > 0) {
-    // "TEXT:FILE", "INT:INT in [1 - 1024]": what stands behind the colon says more.
+    // "TEXT:FILE", "INT:INT in [1 - 1024]": the part after the colon says more.
     const std::string type = option_.get_type_name();
     const std::size_t colon = type.find(':');
     row.value = colon == std::string::npos ? type : type.substr(colon + 1);

@@ -13,7 +13,7 @@ std::string printable(std::string_view text, std::size_t most = 4096);
 /// printable() in one line: the ends of lines become \n.
 std::string printable_line(std::string_view text);
 
-/// Whether a text may be shown in one line as it is.
+/// Whether a text may be shown unchanged in one line.
 bool is_printable_line(std::string_view text);
 
 } // namespace tremolo

@@ -102,7 +102,7 @@ public:
   /// @throws Error if the hub refuses or the connect deadline passes
   explicit DomainClient(const ParticipantOptions& options);
 
-  /// The step that a resumed run goes on with.
+  /// The step with which a resumed run continues.
   struct FirstStep {
     std::uint64_t step = 0;
     double time = 0.0; ///< s

@@ -25,7 +25,7 @@ ColumnMesh::Place ColumnMesh::at(double y, Side side) const {
   const double base = node_y.front();
   const double surface = node_y.back();
   const double rounding = 1e-9 * (surface - base);
-  // Levels are asked for at every step: the message is made only where it is needed.
+  // Levels are requested at every step, so the message is built only when it is needed.
   const bool within = y >= base - rounding && y <= surface + rounding;
   if (!within)
     require(within, "level to sample", y,

@@ -23,7 +23,7 @@ struct ColumnMesh {
 
   enum class Side { below, above };
 
-  /// The position of level y in the mesh. A node belongs to the element on the side asked for, the surface to
+  /// The position of level y in the mesh. A node belongs to the element on the requested side, the surface to
   /// the last one and the base to the first. A level within rounding of a node, 1e-9 of the height, is that
   /// node.
   /// @throws std::invalid_argument if y lies outside the mesh by more than rounding

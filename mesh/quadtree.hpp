@@ -53,7 +53,7 @@ struct Cell {
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-/// The finest level that can be asked for: cells 1/256 of the root's side.
+/// The finest allowed level: cells 1/256 of the root's side.
 inline constexpr int finest_level_allowed = 8;
 
 class Quadtree {

@@ -10,7 +10,7 @@ namespace {
 
 /// An error that falls by less than this power of h does not converge.
 constexpr double least_order = 0.5;
-/// Smallest part of the smallest measured size that a fit is asked for.
+/// Smallest size to which a fit is extrapolated, relative to the smallest measured one.
 constexpr double farthest = 0.25;
 
 /// y = intercept + slope x

@@ -50,7 +50,7 @@ Rung rung_with(const scene::Case& given, const std::vector<Knob>& knobs, std::ve
 std::string setting(const std::vector<Knob>& knobs, const std::vector<std::string>& values,
                     const std::string& but = {});
 
-/// A name for the rung's folder, the same whenever the same values are asked for.
+/// A name for the rung's folder, which depends only on the requested values.
 std::string folder_name(const std::vector<Knob>& knobs, const std::vector<std::string>& values);
 
 /// The largest cell size (m) not above `size` that the case takes with these values of the other knobs; none

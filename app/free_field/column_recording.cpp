@@ -34,7 +34,7 @@ std::vector<double> in_steps(const FreeFieldSeries& series) {
   return values;
 }
 
-/// Times that cover what the domain asks for, with two steps more on either side to interpolate; as fine as
+/// Times that cover the domain's requests, with two more steps on either side for interpolation; as fine as
 /// tremolo-wave serves them.
 /// @param highest_frequency  of the motion, Hz
 wavefield::TimeGrid times_of(double highest_frequency, const scene::Service& service) {

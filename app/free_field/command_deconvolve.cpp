@@ -69,7 +69,7 @@ MotionKind kind_of(const Options& options, const scene::Case& scene) {
   return scene.motion.kind;
 }
 
-/// The ground that the record stands on: that of [[profile]] under [surface], or of a side.
+/// The ground below the record: that of [[profile]] under [surface], or of a side.
 struct Ground {
   scene::Case scene;
   scene::SourceProcess source;

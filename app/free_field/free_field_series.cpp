@@ -57,8 +57,8 @@ ColumnSample in_time_of_soil(ColumnSample sample, double speed) {
   return sample;
 }
 
-/// A column, marched; before its start it is at rest. States are sampled only at the ends of steps in which a
-/// time is asked for.
+/// A column marched in time, at rest before its start. States are sampled only at the ends of steps that
+/// contain a requested time.
 /// @param clock  of the times of the series
 void march(freefield::Column& column, const materials::SoilClock& clock, FreeFieldSeries& series) {
   const std::size_t levels = series.levels.size();

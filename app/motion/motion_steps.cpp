@@ -31,7 +31,7 @@ motion::Record without_drift(const motion::Record& record, const MotionSteps& st
   return motion::with_unit(acceleration, record.unit);
 }
 
-/// Factor that gives the motion the PGA asked for.
+/// Factor that scales the motion to the requested PGA.
 double factor(const motion::Record& record, const MotionSteps& steps) {
   if (!steps.pga)
     return steps.scale.value_or(1.0);

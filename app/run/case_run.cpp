@@ -162,8 +162,8 @@ std::unique_ptr<coupler::ExchangeRecorder> recorder_of(const scene::Case& scene,
   return std::make_unique<coupler::ExchangeRecorder>(std::move(recorder));
 }
 
-/// The command that goes on with a run that has ended early.
-/// @param refused the set that the run could not go on from, if it could not
+/// The command that continues a run that has ended early.
+/// @param refused the set from which the run could not continue, if any
 std::string resume_hint(const fs::path& folder, const std::optional<coupler::CheckpointSet>& refused) {
   if (has_all_results(folder))
     return fmt::format("its results were complete before that: {}", (folder / "run.h5").string());

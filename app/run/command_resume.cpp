@@ -1,4 +1,4 @@
-// tremolo resume: goes on with a run that has ended early, from its newest checkpoint.
+// tremolo resume: continues a run that has ended early from its newest checkpoint.
 
 #include "app/commands.hpp"
 #include "app/run/case_run.hpp"

@@ -59,7 +59,7 @@ std::string case_name(const fs::path& file) {
   return stem == "case" && !folder.empty() ? folder : stem;
 }
 
-/// A folder that holds nothing yet: the one asked for, or runs/NAME, runs/NAME-2, ...
+/// An empty folder: the requested one, or runs/NAME, runs/NAME-2, ...
 fs::path new_folder(const RunArguments& arguments) {
   fs::path folder = arguments.out;
   if (folder.empty()) {
@@ -77,7 +77,7 @@ fs::path new_folder(const RunArguments& arguments) {
   return folder;
 }
 
-/// The recorded side that stands for all that the same source served, so that one process serves them again.
+/// The recorded side that represents all sides served by its source, so that one process serves them again.
 scene::Side first_side(const results::ExchangeSource& source) {
   return *std::ranges::find(all_sides, source.serves.front(), [](scene::Side side) { return name(side); });
 }

@@ -30,7 +30,7 @@ private:
   double first_time_ = 0.0;
   coupler::Clock::time_point stage_start_;
   coupler::Clock::time_point last_shown_;
-  bool open_ = false; ///< the cursor stands behind an unfinished line
+  bool open_ = false; ///< the cursor is at the end of an unfinished line
 };
 
 /// "simulated 3.20 of 20.00 s, 152 steps/s, 1 min 50 s left"

@@ -6,8 +6,8 @@
 
 namespace tremolo::app {
 
-/// Prints how far a soil test has come, to stderr: first after three seconds, then at twice the time of the
-/// line before. One for all specimens of a command.
+/// Prints the progress of a soil test to stderr, first after three seconds, then each time after twice the
+/// previous time. One object serves all specimens of a command.
 std::function<void(const soiltest::TestProgress&)> soiltest_progress();
 
 } // namespace tremolo::app

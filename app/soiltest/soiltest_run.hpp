@@ -21,7 +21,7 @@ struct SoilTestRun {
   std::vector<soiltest::ModulusPoint> curve; ///< of modulus curves
 };
 
-/// Runs every test that the file asks for.
+/// Runs every test of the file.
 /// @throws std::runtime_error if the law refuses a modulus curve
 SoilTestRun run(const scene::SoilTestFile& file);
 

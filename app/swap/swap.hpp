@@ -1,6 +1,6 @@
 #pragma once
 
-// The same case under several free-field models: what the choice of the model changes, and what it costs.
+// Comparison of a case under several free-field models: the effect of the model's choice, and its cost.
 
 #include "app/free_field/free_field_series.hpp"
 #include "app/run/case_run.hpp"

@@ -17,7 +17,7 @@ using Combination = std::vector<scene::AxisValue>;
 ///
 /// Each coordinate is (p(i) + u) / samples with a random permutation p of 0 .. samples - 1 and u uniform in
 /// [0, 1), so that one point lies in each n-th of each axis (McKay, Beckman & Conover 1979, Technometrics 21,
-/// 239-245). The same seed gives the same points on every machine.
+/// 239-245). A seed gives equal points on every machine.
 std::vector<std::vector<double>> latin_hypercube(std::size_t samples, std::size_t dimensions,
                                                  std::uint32_t seed);
 

@@ -32,7 +32,7 @@ struct ParticipantOptions {
   std::filesystem::path out; ///< the run's folder; a participant that writes nothing ignores it
   Deadlines deadlines;
   std::filesystem::path keys;     ///< folder of CURVE keys (keys.hpp); empty: none, on this machine alone
-  std::filesystem::path resume{}; ///< folder of the checkpoint that the domain goes on from; empty: none
+  std::filesystem::path resume{}; ///< folder of the checkpoint from which the domain continues; empty: none
 };
 
 /// An option that a participant has beside the common ones, e.g. a source's file.

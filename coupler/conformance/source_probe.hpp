@@ -36,7 +36,7 @@ public:
   /// @throws Error if it cannot be started
   explicit SourceProbe(const ProbeOptions& options);
 
-  /// The HELLO as it came.
+  /// The HELLO as received.
   /// @throws Error if the program ends, or none has come within the connect deadline
   Message hello();
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// The hub's part in checkpoints. The domain has saved itself at a step and says CHECKPOINT; the hub adds how
-// far each source has come and what it sent last, and lets the set count. A source is a function of the case:
-// in a run that is resumed it computes and sends all its steps again, and the hub holds it to the bits of
-// that last one.
+// The hub's part in checkpoints. The domain has saved itself at a step and says CHECKPOINT; the hub adds the
+// progress of each source and the last data that it sent, and makes the set valid. A source is a function of
+// the case: in a run that is resumed it computes and sends all its steps again, and the hub holds it to the
+// bits of that last one.
 
 #include "coupler/hub/admission/roster.hpp"
 #include "coupler/hub/checkpoint_set.hpp"
@@ -20,7 +20,7 @@ public:
   /// @param options,roster outlive it
   CheckpointKeeper(const HubOptions& options, const Roster& roster);
 
-  /// A source has come: reads what it had sent at the checkpoint that the run is resumed from, if it is.
+  /// Called when a source joins: in a resumed run, reads the data that it had sent at the checkpoint.
   /// @throws Fault for a file that is damaged or of another run
   void restore(const Participant& source);
 

@@ -51,7 +51,8 @@ struct HubOptions {
   std::string run_number{};      ///< random, no secret: JOIN of another run has another one
   std::vector<DataFile> files{}; ///< what they must have too
   CheckpointOptions checkpoints{};
-  std::optional<CheckpointSet> resume{}; ///< where the run goes on from; none: from its beginning
+  /// the checkpoint from which the run continues; none: it starts from the beginning
+  std::optional<CheckpointSet> resume{};
 };
 
 } // namespace tremolo::coupler

@@ -43,7 +43,7 @@ public:
   [[nodiscard]] bool succeeded() const;
   /// Whether kill() ended the process.
   [[nodiscard]] bool killed() const { return killed_; }
-  /// After the end: whether a signal that was not ours ended it, or one that it stands for (mpirun).
+  /// After the end: whether a signal that was not ours ended it, or one that its exit code reports (mpirun).
   [[nodiscard]] bool crashed() const;
   /// A text on its end: "exited with code 3", "was killed by signal 9 (Killed)", or by kill().
   [[nodiscard]] std::string ending() const;

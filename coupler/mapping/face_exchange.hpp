@@ -40,7 +40,7 @@ public:
     FreeFieldHistory history;
     std::uint64_t announced_credit = 0; ///< the last one sent to the source
   };
-  /// Only fields that a face takes are here: the others are never asked for.
+  /// Only fields that a face uses are listed; the others are never requested.
   [[nodiscard]] Inlet* find(FieldAddress address);
   [[nodiscard]] const std::vector<Inlet>& inlets() const { return inlets_; }
 

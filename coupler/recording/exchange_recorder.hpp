@@ -1,9 +1,9 @@
 #pragma once
 
 // Records the exchange of a run (results/exchange_file.hpp). The hub's thread only copies a frame into a
-// queue; a thread of its own compresses and writes. A recording that cannot go on, because the disk is full
-// or too slow, is loud: the run ends, or goes on with a note, as the case chose; never is anything left out
-// in silence.
+// queue; a thread of its own compresses and writes. A recording that cannot continue, because the disk is
+// full or too slow, is reported: the run ends, or continues with a note, as the case chose; never is anything
+// left out in silence.
 
 #include "coupler/hub/checkpoint_set.hpp"
 #include "coupler/hub/exchange_observer.hpp"

@@ -45,8 +45,8 @@ struct FieldDescription {
   [[nodiscard]] double end_time() const { return time(step_count - 1); }
 };
 
-/// Whether a field is one of those whose sum a face takes that asks for `asked`: "total" and "total+vertical"
-/// for "total".
+/// Whether a field is part of the sum that a face requests as `asked`: "total" and "total+vertical" for
+/// "total".
 bool adds_to(const FieldDescription& field, std::string_view asked);
 
 /// Refuses a description that cannot be served: no points, elevations that descend or stand more than

@@ -50,7 +50,7 @@ struct ExpectedFrame {
   std::uint32_t field = 0;
   std::uint64_t step = 0; ///< exactly last + 1
   std::uint32_t count = 0;
-  std::uint32_t most_steps = 0; ///< the credit: more was not asked for
+  std::uint32_t most_steps = 0; ///< the credit: no more was requested
 };
 
 /// A frame as it lies in the bytes it came in, which must outlive it.

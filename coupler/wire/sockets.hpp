@@ -37,8 +37,8 @@ bool is_local(std::string_view endpoint);
 zmq::socket_t bound_router(zmq::context_t& context, const std::string& endpoint,
                            const std::optional<CurveKeys>& keys = {});
 
-/// Has a bound router listen at another address too, where only owners of keys are let in. What it listened
-/// at before stays as it is: options hold for the addresses that are bound after them.
+/// Lets a bound router also listen at another address, to which only owners of keys are admitted. Its earlier
+/// addresses are unaffected: options apply to addresses bound after them.
 /// @throws zmq::error_t if the endpoint cannot be bound
 void bind_also(zmq::socket_t& router, const std::string& endpoint, const CurveKeys& keys);
 

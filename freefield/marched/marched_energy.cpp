@@ -18,7 +18,7 @@ namespace tremolo::freefield {
 
 using Eigen::Vector2d;
 
-/// Books the step that the trial has made of the state, before it is accepted.
+/// Books the trial step from the state, before it is accepted.
 void MarchedColumn::count_work(const BaseDrive& drive) {
   const double dt = settings_.time_step;
   for (std::size_t e = 0; e < mesh_.elements(); ++e) {

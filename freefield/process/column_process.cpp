@@ -1,4 +1,4 @@
-// tremolo-column: serves a laterally uniform free field, marched in time as the domain asks for it.
+// tremolo-column: serves a laterally uniform free field, marched in time as the domain requests it.
 
 #include "coupler/participant.hpp"
 #include "freefield/process/column_from_case.hpp"
@@ -23,7 +23,7 @@ void write(const freefield::ColumnSample& sample, std::span<double> values) {
   std::ranges::copy(freefield::served_values(sample), values.begin());
 }
 
-/// The column's state at the step that is asked for; steps are asked for in order.
+/// The column's state at the requested step; steps are requested in order.
 class TotalField {
 public:
   explicit TotalField(freefield::Column& column) : column_(column) {}

@@ -26,8 +26,8 @@ void TwoPhaseColumn::count_strain(std::size_t e, double shear, double vertical) 
       half * ((shear_[e] + shear) * dgxy_[e] + (vertical_[e] + vertical) * deyy_[e]) - (soil - gravity);
 }
 
-/// Traction of what stands below the base node, in x (0) or y (1), Pa: of the half-space, or what a rigid
-/// base takes to move as it does.
+/// Traction below the base node, in x (0) or y (1), Pa: that of the half-space, or the traction that moves a
+/// rigid base.
 double TwoPhaseColumn::base_traction(std::size_t c) const {
   const WetNode& node = grid_.nodes.front();
   const Phases& before = before_.front()[c];

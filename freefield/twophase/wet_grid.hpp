@@ -1,8 +1,8 @@
 #pragma once
 
 // Masses, storage and drag of a column of soil with and without pore water, per m2 of plan area. Element e of
-// length h joins nodes e and e+1; pore pressure p and effective stress stand at its centre, the velocities of
-// solid and fluid at the nodes. An element in which water flows gives each of its nodes
+// length h joins nodes e and e+1; pore pressure p and effective stress are located at its centre, the
+// velocities of solid and fluid at the nodes. An element in which water flows gives each of its nodes
 //
 //     m_s = (1-n) rho_s h/2,    m_f = n rho_f h/2,    m~_f = rho_f h/2,    r = (rho_f g/k) h/2,
 //

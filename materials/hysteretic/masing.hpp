@@ -36,7 +36,7 @@ namespace masing {
 inline constexpr std::size_t strain = 0;    ///< accepted strain, from the state of zero history
 inline constexpr std::size_t stress = 1;    ///< its stress by the Masing rules, Pa
 inline constexpr std::size_t reversals = 2; ///< number of reversal points held
-inline constexpr std::size_t merged = 3;    ///< 1 while the innermost point stands for forgotten ones, else 0
+inline constexpr std::size_t merged = 3;    ///< 1 while the innermost point represents forgotten ones, else 0
 inline constexpr std::size_t merges = 4;    ///< how often the stack was full, since the start
 inline constexpr std::size_t first_point = 5;
 } // namespace masing
@@ -50,8 +50,8 @@ using MutableMasingHistory = std::span<double, masing_history_size>;
 /// Strain changes smaller than this are no change: masing_commit() ignores them.
 inline constexpr double least_strain_change = 1e-14;
 
-/// The response if the strain went straight from its accepted value to `strain`. The history stays as it is,
-/// so any number of trials may be made (Newton iterations, stages of a Runge-Kutta step). Continuous in
+/// The response if the strain went straight from its accepted value to `strain`. The history is unchanged, so
+/// any number of trials may be made (Newton iterations, stages of a Runge-Kutta step). Continuous in
 /// `strain`. At the accepted strain itself the tangent is that of going on in the same direction; that of
 /// turning back is G0.
 ShearResponse masing_response(const Backbone& backbone, MasingHistory history, double strain);

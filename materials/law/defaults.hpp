@@ -24,7 +24,7 @@
 
 namespace tremolo::materials::defaults {
 
-/// The state block holds the initial values of the state table, and the stress is left as it is.
+/// The state block holds the initial values of the state table, and the stress is unchanged.
 template <class L>
 void initialise(const L& /*law*/, const Points& /*points*/) {}
 

@@ -91,7 +91,7 @@ public:
   /// @throws std::invalid_argument for parameters or stresses that are not physical
   PointTest(const Law& law, const PointStress& initial, const StressTolerance& tolerance = {});
 
-  /// Takes one step. The point stays as it is if that fails.
+  /// Takes one step. The point is unchanged if the step fails.
   /// @throws std::runtime_error if no strain gives the prescribed stresses, e.g. beyond a peak load
   /// @throws std::domain_error for a strain increment that the law cannot follow
   /// @throws std::invalid_argument for out-of-plane strain of a law that does not take it

@@ -79,7 +79,7 @@ Law with_rest_coefficient(Law law, double coefficient);
 double p_wave_speed_bound(const Law& law, const Points& points);
 
 /// The elastic stiffness of each point in its present stress and state over that of elasticity(law), 1.
-/// Poisson's ratio is a parameter, so one number stands for all moduli.
+/// Poisson's ratio is a parameter, so one number suffices for all moduli.
 void stiffness_ratios(const Law& law, const Points& points, double* ratios);
 
 /// Every parameter in force and where its value comes from.
@@ -110,7 +110,7 @@ Law for_cell_size(const Law& law, double cell_size, double reference_size);
 /// others.
 std::optional<Backbone> shear_backbone(const Law& law);
 
-/// The relative density that a law of sand stands for, 1; nothing for the others.
+/// The relative density that a law of sand represents, 1; empty for other laws.
 std::optional<double> relative_density(const Law& law);
 
 /// The parameter that is fitted to a cyclic strength, 1; nothing for a law without one.

@@ -50,7 +50,7 @@ struct DruckerPrager {
   ConeMatch match = ConeMatch::plane_strain;
 };
 
-/// Divides strength by a factor: c/F and tan(phi)/F. Dilation stays as it is, but does not exceed friction.
+/// Divides strength by a factor: c/F and tan(phi)/F. Dilation is unchanged, but does not exceed friction.
 /// @param factor  F, 1, > 0
 std::optional<DruckerPrager> with_reduced_strength(DruckerPrager law, double factor);
 

@@ -62,8 +62,8 @@ std::vector<ParameterValue> parameters(const MohrCoulomb& law);
 /// state; who softens afterwards from the peak sets it back to zero first.
 MohrCoulomb without_softening(MohrCoulomb law);
 
-/// Divides strength by a factor: c/F and tan(phi)/F before and after softening. Dilation stays as it is, but
-/// does not exceed friction. The apex stays where it is, and the tension cut-off with it.
+/// Divides strength by a factor: c/F and tan(phi)/F before and after softening. Dilation is unchanged, but
+/// does not exceed friction. The apex keeps its position, and so does the tension cut-off.
 /// @param factor  F, 1, > 0
 std::optional<MohrCoulomb> with_reduced_strength(MohrCoulomb law, double factor);
 

@@ -24,7 +24,7 @@ struct FadingStrength {
   double sin_dilation_rate = 0.0; ///< d sin(psi)/de
 };
 
-/// exp(-eta e); below 1e-304 it stays as it is.
+/// exp(-eta e); it remains constant below 1e-304.
 inline double decay_at(const MohrCoulomb& law, double e) {
   return elementary::exp(-law.softening * std::min(e, 700.0 / law.softening));
 }

@@ -13,7 +13,7 @@ class Recorder {
 public:
   Recorder(const materials::Law& law, const Apparatus& apparatus, std::size_t every);
 
-  /// Writes a row if its turn has come, or if it has to be kept; never the same increment twice.
+  /// Writes a row if it is due, or if it has to be kept; no increment is written twice.
   void record(std::size_t step, double cycle, const materials::PointTest& point, bool keep);
   History take() { return std::move(history_); }
 

@@ -117,8 +117,7 @@ struct Path {
 
 using Loading = std::variant<Monotonic, StressCycles, StrainCycles, Path>;
 
-/// One test.
-/// How far a test has come.
+/// One test. Progress of a test.
 struct TestProgress {
   std::size_t increments = 0;
   double most_increments = 0.0; ///< as many as there can be

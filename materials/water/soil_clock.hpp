@@ -37,7 +37,7 @@ public:
   double speed(double time) const;
   /// s; of a time that is simulated, s
   double time_of_soil(double time) const;
-  /// The simulated time at which the soil has come to a time of its own, s.
+  /// The simulated time at which the soil's own clock shows a given time, s.
   double simulated_time(double time_of_soil) const;
 
 private:

@@ -86,7 +86,7 @@ public:
     return {*inner, fmt::format("[{}]", key), file_};
   }
 
-  /// @throws RecordError for a key that nobody has asked for
+  /// @throws RecordError for an unknown key
   void finish() const {
     for (const auto& [key, node] : table_)
       if (!known_.contains(std::string(key.str())))

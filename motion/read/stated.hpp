@@ -11,7 +11,7 @@
 
 namespace tremolo::motion {
 
-/// Steps of strong motions, s; a finer or coarser one is a mistake, and would ask for memory without end.
+/// Steps of strong motions, s; a finer or coarser one is a mistake, and would need unlimited memory.
 inline constexpr double finest_step = 1e-5;
 inline constexpr double coarsest_step = 10.0;
 

@@ -34,7 +34,7 @@ bool is_one_of(const UnitToken& token, const std::array<std::string_view, N>& wo
   return token.kind == UnitToken::Kind::word && std::ranges::find(words, token.text) != words.end();
 }
 
-/// A word and what it stands for.
+/// A word and its meaning.
 struct UnitWord {
   std::string_view text;
   double value;

@@ -20,8 +20,7 @@ bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Signs beyond ASCII, in UTF-8 and in Latin-1, and what they stand for. Raised signs stand for themselves
-/// after a ^.
+/// Signs beyond ASCII, in UTF-8 and in Latin-1, and their meaning. A raised sign after a ^ means the sign itself.
 struct Spelling {
   std::string_view from;
   char to;

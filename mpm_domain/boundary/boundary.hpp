@@ -1,6 +1,6 @@
 #pragma once
 
-// The boundary of the domain: its faces, what stands behind them, and Eq. (6),
+// The boundary of the domain: its faces, the supports behind them, and Eq. (6),
 //
 //     f^b = f^vis + f^dyn + f^st,
 //

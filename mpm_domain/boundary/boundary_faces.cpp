@@ -170,7 +170,7 @@ void sharpen_along(const Ground& ground, const BoundaryFace& face, const FacePla
   const NodeField& chi = along_x ? ground.grid.inside_x : ground.grid.inside_y;
   const double centre = along_x ? Axis(lattice.x0, lattice.h).cells(at.centre.x)
                                 : Axis(lattice.y0, lattice.h).cells(at.centre.y);
-  // The nodes stand on one line along the face or on two neighbouring ones, four on each at most.
+  // The nodes lie on one line along the face or on two neighbouring ones, at most four on each.
   std::size_t first_node = weights.front().node;
   for (const FaceWeight& weight : weights)
     first_node = std::min(first_node, weight.node);

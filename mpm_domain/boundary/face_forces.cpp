@@ -124,7 +124,7 @@ void FaceForces::find(int clock, const Ticks& ticks, const FaceLoads& loads) {
   for (std::size_t f = 0; f < loads.faces.size(); ++f) {
     const BoundaryFace& face = loads.faces[f];
     const int of_face = loads.motion.clock(f);
-    // A node of a slower clock that the face has come to touch since the first tick waits for the next one.
+    // A node of a slower clock that the face has reached since the first tick waits for the next one.
     const double moves =
         loads.motion.is_due(ticks, f) && clock >= of_face ? impulse_factor(clock, of_face) : 0.0;
     const double holds = steady[static_cast<std::size_t>(of_face)];

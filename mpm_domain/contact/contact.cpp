@@ -336,7 +336,7 @@ double Contact::meet_remapped(Ground& ground) {
       const std::size_t n = c.node;
       const Vector u{grid.vx_strain[n], grid.vy_strain[n]};
       const bool elastic = c.body_mass > 0.0;
-      const double per_wall = elastic ? 1.0 / c.body_mass : 0.0; // a rigid body stays as it is
+      const double per_wall = elastic ? 1.0 / c.body_mass : 0.0; // a rigid body is unchanged
       const Vector wall = elastic ? Vector{grid.vx_strain[c.body_node], grid.vy_strain[c.body_node]}
                                   : bodies_[b].motion().at(c.arm);
       const Vector t = c.tangent();

@@ -1,13 +1,13 @@
 #pragma once
 
-// The structures of a domain and what passes between them and the soil in a step: contact_nodes.hpp finds the
+// The structures of a domain and their interaction with the soil in a step: contact_nodes.hpp finds the
 // nodes, impulses/rigid_contact.hpp the impulses at all nodes of a rigid body, impulses/collisions.hpp those
 // between rigid bodies. Every node of an elastic body (elastic_body.hpp) is solved by itself, as a rigid body
 // of one node that cannot turn: with m_b the mass of the body's node, W = m_b and x = 0 there.
 //
-// An elastic body meets other structures as soil does: its nodes and particles stand in the place of the
-// soil's, and the other structure gives the surface. Of two elastic ones that is the larger, against whose
-// edges the smaller lies.
+// An elastic body meets other structures as soil does: its nodes and particles replace the soil's, and the
+// other structure gives the surface. If both are elastic, the larger one gives it, since the smaller lies
+// against its edges.
 //
 // Nodes at which several contacts act and bodies that touch each other are solved in turn
 // (impulses/solve.cpp), each with the impulses of the others, until nothing changes; every solution conserves
@@ -96,8 +96,8 @@ public:
   /// @returns the longest way back of a particle, m
   double move(Ground& ground, double dt);
 
-  /// Finds the contact nodes of the gravity stage, in which nothing moves, and the corners with which rigid
-  /// bodies stand on each other.
+  /// Finds the contact nodes of the gravity stage, in which nothing moves, and the corners at which rigid
+  /// bodies rest on each other.
   void begin_rest(Ground& ground);
   StructureLoads& structure_loads() { return structure_loads_; }
   const StructureLoads& structure_loads() const { return structure_loads_; }

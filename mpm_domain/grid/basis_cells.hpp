@@ -30,7 +30,7 @@ struct FourNodes {
 
 /// A cell; its nodes are the fours [first, end) of the table.
 struct BasisCell {
-  std::uint64_t key; ///< orders cells by their place in the mesh, not by when they were asked for
+  std::uint64_t key; ///< orders cells by their position in the mesh, not by the time of their request
   mesh::Rectangle all;
   double per_h = 0.0; ///< 1/m
   std::uint32_t first = 0;
@@ -44,7 +44,7 @@ struct BoxPart {
   double eta;
 };
 
-/// A table of the cells that have been asked for.
+/// A table of the requested cells.
 class BasisCells {
 public:
   /// Number of a cell in the table. A cell that is new is added.

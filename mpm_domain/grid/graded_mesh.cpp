@@ -13,7 +13,8 @@ namespace {
 using mesh::Cell;
 using mesh::Roots;
 
-/// The column of cells or nodes of a level that a column stands for, itself or within the period.
+/// The column of cells or nodes of a level that a column represents: itself, or its original within the
+/// period.
 int real_column(const Roots& roots, int level, int i) {
   if (roots.period == 0)
     return i;

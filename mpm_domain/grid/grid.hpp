@@ -13,7 +13,7 @@ namespace tremolo::mpm_domain {
 struct Grid : GridShape, NodeFields {
   NodeTraits traits; ///< of the domain: which fields there are
 
-  /// The column that column i stands for: itself, or the one of the period that it is an image of.
+  /// The column that column i represents: itself, or the one of the period whose image it is.
   int real_column(int i) const {
     if (period == 0)
       return i;

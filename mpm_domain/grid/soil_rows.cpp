@@ -117,7 +117,7 @@ void touch_from_others(const Ground& ground, Rows& rows) {
                      overlap(ground.tiles.owned(tile), ground.tiles.window(other)));
 }
 
-/// Images of nodes of soil, and what such images stand for: others may bring something to them.
+/// Images of soil nodes, and the originals of such images, to which others may add.
 void touch_images(const Prolongation& images, Rows& rows) {
   for (std::size_t r = 0; r < images.tied_count(); ++r)
     if (rows.holds(images.tied(r)))

@@ -25,7 +25,7 @@ void prolong(Ground& ground, NodeGroup group, std::span<const std::size_t> rows)
 void fold(Ground& ground, NodeGroup group);
 void prolong(Ground& ground, NodeGroup group);
 
-/// The images of a periodic grid of one lattice, tied to the columns that they stand for.
+/// The images of a periodic grid of one lattice, tied to their original columns.
 Prolongation images_of(const Grid& grid);
 
 } // namespace tremolo::mpm_domain

@@ -20,7 +20,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// The flow, in the numbers that a user asks for.
+/// The flow in the numbers of interest to a user.
 struct SeepageFound {
   double discharge = 0.0; ///< m2/s
   int iterations = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Four doubles at a time (base/lanes.hpp) under names that stand beside those of the domain.
+// Four doubles at a time (base/lanes.hpp), with names in the domain's namespace.
 
 #include "base/lanes.hpp"
 

@@ -115,7 +115,7 @@ inline Vector half_sides(const Particles& p, std::size_t k) {
   return {limits.half_side(p.box_xx[k]), limits.half_side(p.box_yy[k])};
 }
 
-/// The box that a particle stands for.
+/// The box that a particle represents.
 inline mesh::Rectangle box_of(const Particles& p, std::size_t k) {
   const Vector l = half_sides(p, k);
   return {p.x[k] - l.x, p.y[k] - l.y, p.x[k] + l.x, p.y[k] + l.y};

@@ -19,7 +19,7 @@ enum class Phase {
   scatter,     ///< particles to grid: m, p, f of particles
   velocities,  ///< v- = p/m
   exchange,    ///< velocities of the faces go out, the free field comes in
-  supports,    ///< what stands behind the faces moves
+  supports,    ///< the supports behind the faces move
   forces,      ///< of the boundary
   update,      ///< v+ from v- and f
   contact,     ///< impulses between soil and structures change v+

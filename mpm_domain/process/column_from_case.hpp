@@ -25,7 +25,7 @@ std::function<Vector(double x, double time)> rock_motion(const scene::Case& scen
 
 /// The column as a free field that can be sampled at any level, linear between base, rows of particles and
 /// surface.
-/// @param needed_from  when its motion is first asked for, s
+/// @param needed_from  when its motion is first requested, s
 /// @throws std::invalid_argument for layers that the column cannot have too
 std::unique_ptr<freefield::Column> column_from_case(const scene::Case& scene,
                                                     const scene::SourceProcess& source, double x_line,

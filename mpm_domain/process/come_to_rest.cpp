@@ -91,7 +91,8 @@ std::string leave_frame(Domain& domain, const RunOfCase& run, const NotAtRest& f
   return fmt::format("{}{}; the frame in run.h5 shows where the ground moves", stage, failure.what());
 }
 
-/// Makes the checkpoint that the run goes on from, and ends it. The sources are needed for that alone.
+/// Makes the checkpoint from which the run can continue, and ends the run. The sources are needed for that
+/// alone.
 void end_after_stage(const Domain& domain, StaticStages& stages, const RunOfCase& run, double seconds) {
   const std::size_t last = stages.over() - 1;
   const std::string reason = ended_after(scene::stages(run.scene)[last].name);

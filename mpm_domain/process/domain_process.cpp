@@ -155,7 +155,7 @@ private:
   bool saves_ = false;
 };
 
-/// Whether a rest that ends at a pressure has come to it. All ranks ask, and hear the same answer.
+/// Whether a rest that ends at a pressure has reached it. All ranks call it and get one answer.
 bool pressure_is_gone(const Stepper& stepper, const scene::Case& scene) {
   constexpr long steps_between = 100; // looking at all particles costs a tenth of a step
   const scene::TimedStage& last = scene.timed.back();
@@ -279,7 +279,7 @@ void run_as_helper(const coupler::ParticipantOptions& options, Communicator& ran
   }
 }
 
-/// @param count  of the ranks that mpirun has been asked for
+/// @param count  number of ranks requested from mpirun
 std::unique_ptr<Communicator> joined_ranks(int count) {
   if (count == 1)
     return nullptr;

@@ -131,8 +131,8 @@ struct Spec {
   std::vector<Side> matched_sides;
   int layer_cells = 10;
   std::vector<SideSprings> springs; ///< one for each side that has some
-  /// Ground below the base, where it is not the soil that the model ends with: what the base's dashpots or
-  /// matched layer stand for.
+  /// Ground below the base if it differs from the lowest soil of the model: the base's dashpots or matched
+  /// layer represent it.
   std::optional<materials::Elasticity> below_base;
   /// Fields of one's own that particles carry besides those of the table.
   std::vector<ParticleFieldDescription> more_fields = {};

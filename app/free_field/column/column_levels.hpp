@@ -11,8 +11,8 @@ namespace tremolo::app {
 /// @throws std::runtime_error for a depth outside the column
 std::vector<double> profile_levels(const ColumnGround& ground, const std::vector<double>& depths);
 
-/// Depths of the histories, m: those asked for, once each, otherwise surface, interfaces and base. Slices of
-/// one soil have no interface between them.
+/// Depths of the histories, m: the requested ones, once each, otherwise surface, interfaces and base. Slices
+/// of one soil have no interface between them.
 std::vector<double> history_depths(const ColumnGround& ground, const std::vector<double>& asked);
 
 } // namespace tremolo::app

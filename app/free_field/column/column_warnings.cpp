@@ -29,7 +29,8 @@ constexpr double elements_per_wavelength = 10.0;
 /// The share of the power of the base's motion that may lie above what elements carry, 1.
 constexpr double tolerated_power = 0.05;
 
-/// The layer at a level; of an interface the one above, or below where the level is asked for from there.
+/// The layer at a level; at an interface the one above, or the one below if the level means the limit from
+/// there.
 const scene::Layer& layer_at(const ColumnGround& ground, const FreeFieldSeries& series, std::size_t level) {
   const auto& layers = scene::layers(ground.scene, ground.source);
   const bool below = freefield::from_below(series.levels, level);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The words of commands that start processes, and what they are made of.
+// The words of commands that start processes, and their parts.
 
 #include <filesystem>
 #include <string>
@@ -16,7 +16,7 @@ std::string environment(const char* name);
 /// The file of a program that the shell would find; empty if there is none.
 std::filesystem::path on_path(const std::string& program);
 
-/// The file of a program that [hosts] asks for.
+/// The file of a program that [hosts] requires.
 /// @throws std::runtime_error if there is none
 std::string found_on_path(const std::string& program);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The participants of a run: who is expected, who has come, and what each of them serves.
+// The participants of a run: the expected ones, those present, and the fields that each of them serves.
 
 #include "coupler/hub/hub_options.hpp"
 #include "coupler/wire/field.hpp"

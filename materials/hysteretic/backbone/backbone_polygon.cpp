@@ -6,7 +6,7 @@
 namespace tremolo::materials {
 namespace {
 
-/// q = gamma^2 |F''|/F, which for F = G0 gamma/(1 + r) and MKZ is s r [(1 + s) + (1 - s) r]/(1 + r)^2. Of
+/// q = gamma^2 |F''|/F, which for F = G0 gamma/(1 + r) and MKZ is s r [(1 + s) + (1 - s) r]/(1 + r)^2. For
 /// other backbones it follows from the tangent, gamma F'' = dF'/d(ln gamma).
 double curvature(const Backbone& backbone, double strain) {
   if (!backbone.shape) {

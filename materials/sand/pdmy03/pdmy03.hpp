@@ -54,7 +54,7 @@ struct ModulusReduction {
 inline constexpr std::size_t most_pdmy03_surfaces = 40;
 
 /// Input by the user. Without `relative_density` every value that has no default must be given; with it, the
-/// recommended set of that density stands in for what is not.
+/// recommended set of that density supplies the missing ones.
 struct Pdmy03Input {
   std::optional<double> relative_density; ///< one of 0.33, 0.57, 0.74, 0.87; nothing between them
 
@@ -86,7 +86,7 @@ enum class Pdmy03Origin : unsigned char { given, table, fallback, curve };
 /// The parameters in force, resolved. Made by pdmy03().
 struct Pdmy03 {
   Elasticity elastic;            ///< G_r, B_r as they stand, also for a stage of gravity
-  double relative_density = 0.0; ///< of the recommended set; 0: none was asked for
+  double relative_density = 0.0; ///< of the recommended set; 0: none was requested
   double friction = 0.0;
   double phase_transformation = 0.0;
   std::array<double, 5> contraction{};
@@ -133,7 +133,7 @@ LinearElastic without_softening(const Pdmy03& law);
 /// it is elastic.
 std::optional<MohrCoulomb> with_reduced_strength(const Pdmy03& law, double factor);
 
-/// Relative density of the recommended set, 1; nothing if no set was asked for.
+/// Relative density of the recommended set, 1; empty if no set was requested.
 std::optional<double> relative_density(const Pdmy03& law);
 
 /// Advances stress, state and plastic work of all points by one step, in sub-increments of 1e-5 strain.

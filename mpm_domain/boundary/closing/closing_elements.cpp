@@ -34,7 +34,7 @@ ClosingElements::ClosingElements(const Ground& ground, std::span<BoundaryFace> f
     element.delay =
         by_direction(face.ground.normal, length / soil.p_wave_speed(), length / soil.s_wave_speed());
     face.behind.moving_mass = {element.impedance.x * element.delay.x, element.impedance.y * element.delay.y};
-    face.behind.has_dashpots = false; // springs may stand beside the element
+    face.behind.has_dashpots = false; // springs may act beside the element
   }
 }
 

@@ -39,8 +39,8 @@ public:
 
   /// All faces where d counts.
   std::vector<FaceDrift> faces() const;
-  /// The largest |d| at each side and the base where it counts, and how much of the soil's strength k d asks
-  /// for: a sentence, or nothing if no side counts.
+  /// The largest |d| at each side and the base where it counts, and the fraction of the soil's strength that
+  /// k d needs: a sentence, or empty if no side counts.
   std::optional<std::string> report() const;
   /// A warning if the ground beyond a side could not hold the soil: d has become too large along the normal
   /// of a face, or the springs of a side pull beyond the strength of its soil.

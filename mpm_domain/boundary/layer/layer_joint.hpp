@@ -16,8 +16,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// The corner between two layers, which both have an end of the kind LayerEnd::corner there. It is made of
-/// what the base's layer ends with.
+/// The corner between two layers, which both have an end of the kind LayerEnd::corner there. It has the
+/// material at the end of the base's layer.
 class LayerJoint {
 public:
   /// @param side left or right

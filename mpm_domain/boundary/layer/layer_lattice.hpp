@@ -33,7 +33,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// A column of elements and what it is made of.
+/// A column of elements and its material.
 struct LayerColumn {
   double width = 0.0;         ///< along the boundary, m
   double density = 0.0;       ///< kg/m3

@@ -16,7 +16,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// The passes of the faces, and of what stands behind them.
+/// The passes of the faces, and of the supports behind them.
 /// @throws std::invalid_argument if there are faces and nobody gives their free field
 std::vector<Pass> face_passes(Ground& ground, Boundary& boundary, FreeFieldSource free_field);
 

@@ -58,7 +58,7 @@ public:
   /// A sentence on how far sides and base have moved, for information only.
   std::optional<std::string> note() const;
 
-  /// Writes what an output that goes on from here needs, besides the file as it is now.
+  /// Writes the state that a continued output needs besides the present file.
   void save(results::CheckpointWriter& checkpoint);
   /// Goes on from there in a new file: takes over what the file before held then.
   void take_over(const std::filesystem::path& before, const results::CheckpointReader& checkpoint);

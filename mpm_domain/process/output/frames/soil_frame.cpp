@@ -68,7 +68,7 @@ void reserve(SoilFrame& frame, std::size_t particles) {
 
 } // namespace
 
-/// The names of the soils. Slices of one soil stand one behind the other and have its name.
+/// The names of the soils. Slices of one soil are consecutive and share its name.
 std::vector<std::string> soil_names(const Spec& spec) {
   std::vector<std::string> names;
   for (const Soil& soil : spec.soils)

@@ -15,10 +15,10 @@
 
 namespace tremolo::mpm_domain {
 
-/// The names of the soils. Slices of one soil stand one behind the other and have its name.
+/// The names of the soils. Slices of one soil are consecutive and share its name.
 std::vector<std::string> soil_names(const Spec& spec);
 
-/// Whether a case asks for a field. One that is no output field of the case is written whenever there is one.
+/// Whether a case requests a field. A field that the case cannot select is written whenever it exists.
 bool is_wanted(const scene::Case& scene, std::string_view name);
 
 struct SoilFrame {
