@@ -38,7 +38,7 @@ std::vector<Key> field_model() {
       {.name = "side",
        .type = Type::choice,
        .meaning =
-           "Of the recorded exchange of a run (`exchange.h5`): the side whose free field is served again.",
+           "In the recorded exchange of a run (`exchange.h5`), the side whose free field is served again.",
        .otherwise = "`file` is the recording of a free field alone",
        .choices = all_words<Side>(),
        .when = {"model", {name(SourceModel::recording)}}},

@@ -102,7 +102,7 @@ std::vector<Key> layer_keys() {
   for (Key& key : keys)
     if (key.name == "density") {
       key.required = false;
-      key.otherwise = "of the `soil`";
+      key.otherwise = "that of the `soil`";
     }
   keys.insert(keys.begin(), {.name = "thickness",
                              .unit = "m",

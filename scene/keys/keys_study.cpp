@@ -118,8 +118,8 @@ Table study_measures() {
            .fallback = "0.1",
            .range = positive},
           choice<Intensity>("intensity",
-                            "Of the incident motion: what responses are drawn over. Peak acceleration, "
-                            "peak velocity, or Arias intensity.",
+                            "Measure of the incident motion over which responses are drawn: peak "
+                            "acceleration, peak velocity, or Arias intensity.",
                             Intensity::pgv),
           {.name = "colour",
            .type = Type::text,

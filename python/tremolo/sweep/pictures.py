@@ -28,8 +28,8 @@ def label(name, unit):
             measure = measure.removesuffix(end)
             break
     words = measure.replace("_", " ").replace(" ax", " $a_x$").replace("r u", "$r_u$").replace("run out", "run-out")
-    told_unit = UNITS.get(unit, unit)
-    return words + (f", {place}" if place else "") + (f" ({told_unit})" if told_unit else "")
+    shown_unit = UNITS.get(unit, unit)
+    return words + (f", {place}" if place else "") + (f" ({shown_unit})" if shown_unit else "")
 
 
 def axis_label(sweep, key):
@@ -154,8 +154,8 @@ def draw(sweep):
         ax.set_xlabel(axis_label(sweep, sweep.colour_key) if sweep.colour_key else "")
     for ax, (other, _) in zip(axes[-1][len(columns):], over):
         ax.set_xlabel(INTENSITIES.get(other) or axis_label(sweep, other))
-    told_runs = f"{len(sweep.complete)} of {len(sweep.plan.runs)} runs"
-    figure.suptitle(f"{sweep.plan.title}\n{told_runs}; diamonds and bars: median, 16 to 84 %", fontsize=9)
+    counted_runs = f"{len(sweep.complete)} of {len(sweep.plan.runs)} runs"
+    figure.suptitle(f"{sweep.plan.title}\n{counted_runs}; diamonds and bars: median, 16 to 84 %", fontsize=9)
     return figure
 
 

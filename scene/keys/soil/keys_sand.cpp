@@ -29,10 +29,9 @@ std::vector<Key> common_keys() {
                                               scene::name(SoilModel::pdmy03)};
   return {
       optional(both, "relative_density", "1",
-               "Relative density D_R, a fraction. `pm4sand` needs it: apparent. Of `pdmy03` it names a "
-               "recommended "
-               "set: 0.33, 0.57, 0.74 or 0.87; between them there is none, and none is guessed.",
-               "of `pdmy03` all is given", density_range),
+               "Relative density D_R, a fraction. `pm4sand` needs it: apparent. With `pdmy03` it names a "
+               "recommended set: 0.33, 0.57, 0.74 or 0.87; between them there is none, and none is guessed.",
+               "all keys of `pdmy03` are needed", density_range),
       optional(both, "atmospheric_pressure", "Pa", "Atmospheric pressure of the formulas.",
                "101.3e3 of `pm4sand`, 101e3 of `pdmy03`", {.low = 1.0, .high = 1e9}),
   };
@@ -100,7 +99,7 @@ std::vector<Key> pdmy03_keys() {
                       std::string_view otherwise, Range range = {}) {
     return optional({scene::name(SoilModel::pdmy03)}, name, unit, meaning, otherwise, range);
   };
-  constexpr std::string_view set = "of the recommended set of `relative_density`";
+  constexpr std::string_view set = "that of the recommended set of `relative_density`";
   return {
       may("shear_modulus", "Pa", "G_r at the reference pressure.", set, positive),
       may("bulk_modulus", "Pa", "B_r at the reference pressure.", set, positive),

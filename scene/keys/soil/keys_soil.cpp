@@ -62,7 +62,7 @@ std::vector<Key> soil_elastic_keys() {
   for (Key& key : keys) {
     if (key.name == "density") {
       key.required = false;
-      key.otherwise = "of the recommended set of `pdmy03`; other models need it";
+      key.otherwise = "that of the recommended set of `pdmy03`; other models need it";
       continue;
     }
     key.when = {"model", elastic};
@@ -121,7 +121,7 @@ std::vector<Key> surface_keys() {
        .unit = "degrees",
        .meaning =
            "Friction angle, in the test that `cone` names. `drucker_prager` needs it; of `pdmy03` 1 to 65.",
-       .otherwise = "of the recommended set of `pdmy03`",
+       .otherwise = "that of the recommended set of `pdmy03`",
        .range = angle,
        .when = {"model", cones}},
       {.name = "dilation_deg",

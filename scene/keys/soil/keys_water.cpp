@@ -34,7 +34,7 @@ std::vector<Key> level_keys() {
        .when = {"seepage", {"true"}}},
       {.name = "right",
        .unit = "m",
-       .meaning = "Likewise at the right side.",
+       .meaning = "y of the water at the right side, likewise.",
        .required = true,
        .when = {"seepage", {"true"}}}};
 }

@@ -44,7 +44,7 @@ std::vector<Key> record_keys() {
       {.name = "scale", .unit = "1", .meaning = "Factor on the record; only with `file`.", .fallback = "1"}};
 }
 
-/// Where a plane wave comes from, and where it has its motion.
+/// Keys for the direction of incidence of a plane wave, and the point at which its motion is given.
 std::vector<Key> way_keys() {
   return {{.name = "angle_deg",
            .unit = "degrees",

@@ -67,8 +67,9 @@ std::vector<Table> structure_keys() {
                  .otherwise = "`young` and `poisson`"},
                 {.name = "young",
                  .unit = "Pa",
-                 .meaning = "Young's modulus of an elastic structure; together with `poisson`. Of a building "
-                            "with rooms, that of a solid block with the building's natural period.",
+                 .meaning =
+                     "Young's modulus of an elastic structure; together with `poisson`. For a building "
+                     "with rooms, that of a solid block with the building's natural period.",
                  .otherwise = "`rigid`",
                  .range = positive},
                 {.name = "poisson",
