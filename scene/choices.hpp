@@ -28,7 +28,7 @@ constexpr auto words(Wave) {
   return word_table<Wave>({{Wave::sv, "SV"}, {Wave::p, "P"}});
 }
 
-/// How the damping ratios of layers and half-space depend on frequency.
+/// Dependence of the damping ratios of layers and half-space on frequency.
 enum class DampingModel { none, rayleigh, kelvin_voigt, hysteretic, shake, kjartansson, constant };
 constexpr auto words(DampingModel) {
   return word_table<DampingModel>({{DampingModel::none, "none"},
@@ -225,7 +225,7 @@ constexpr auto words(ToroClass) {
                                 {ToroClass::usgs_d, "usgs_d"}});
 }
 
-/// How soil is loaded in a soil test.
+/// Kind of loading in a soil test.
 enum class LoadingKind { monotonic, cyclic_stress, cyclic_strain, modulus_curve, path };
 constexpr auto words(LoadingKind) {
   return word_table<LoadingKind>({{LoadingKind::monotonic, "monotonic"},

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a participant's thread does all the time: it computes, it waits for somebody, or it maps, which is the
-// work of the exchange itself (frames packed and checked, mapping in depth and time, Eq. (6)).
+// Activities of a participant's thread over time: it computes, it waits for somebody, or it maps, which is
+// the work of the exchange itself (frames packed and checked, mapping in depth and time, Eq. (6)).
 //
 //     Timeline timeline;                              // computing from now on
 //     {

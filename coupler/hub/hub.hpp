@@ -48,7 +48,7 @@ public:
   /// Address at which participants on other machines reach the hub.
   [[nodiscard]] const std::string& outer_endpoint() const { return post_.outer_endpoint(); }
 
-  /// To poll on.
+  /// The socket to poll.
   [[nodiscard]] zmq::socket_ref socket() { return post_.socket(); }
 
   /// Takes all messages that wait.

@@ -76,7 +76,7 @@ public:
   std::span<const eq6::FreeField> free_field() const { return std::span(free_field_).first(faces_.size()); }
   /// The soil at each face if there is pore water or if ranks share the domain; else empty.
   std::span<const FaceSoil> soil() const { return soil_.all(); }
-  /// Where there is pore water.
+  /// The leaning sides, used where there is pore water.
   const LeaningSides& lean() const { return lean_; }
   /// W of a face's nodes in its present step.
   std::span<const FaceWeight> weights(std::size_t face) const { return motion_.weights()[face]; }

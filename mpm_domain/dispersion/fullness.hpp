@@ -1,6 +1,6 @@
 #pragma once
 
-// Where soil ends, smoothly. How full of soil the neighbourhood of a node is,
+// A smooth indicator of the soil's surface. The fullness of the neighbourhood of a node,
 //
 //     e = min(1, m/(0.45 rho h^2)),      rho of the lightest soil,
 //

@@ -20,7 +20,7 @@ struct Filter {
 };
 constexpr std::array<Filter, 3> filters{{{0.1255, 0.022}, {0.1125, 0.018}, {0.1157, 0.019}}};
 
-/// What a component is sharpened with: q1 across and along itself.
+/// Terms that sharpen a component: q1 across and along itself.
 struct Firsts {
   double x, y;
 };

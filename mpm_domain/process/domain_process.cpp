@@ -92,7 +92,7 @@ public:
         checkpoints_(scene) {}
 
   RunOutput& output() { return output_; }
-  /// Which fields of the snapshot it needs after a step.
+  /// Fields of the snapshot that are needed after a step.
   Snapshot::Extent needs(const Stepper& stepper) {
     saves_ = stepper.time() < end_ && (checkpoints_.due(stepper.steps()) || stepper.time() >= stop_.time);
     return saves_ ? Snapshot::Extent::all : output_.needs(stepper);

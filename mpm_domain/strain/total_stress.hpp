@@ -10,7 +10,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// In the plane, Pa.
+/// In-plane components, Pa.
 struct TotalStress {
   double xx, yy, xy;
 };

@@ -6,7 +6,7 @@
 
 namespace tremolo::scene {
 
-/// Where a source runs: what [hosts] says of a side that it serves.
+/// The machine of a source, from the entry in [hosts] of a side that it serves.
 /// @returns nullptr for one that runs where the run is started
 const Host* host_of(const Case& scene, const SourceProcess& source);
 

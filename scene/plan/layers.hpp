@@ -22,10 +22,10 @@ bool damped(const std::vector<Layer>& layers);
 /// y of the top of the half-space, m.
 double base_level(double surface, const std::vector<Layer>& layers);
 
-/// What lies below the base of the model where that is not the soil it ends with: the half-space under a base
-/// at or below its top, the next layer under a base at an interface. Empty for a base within a layer, whose
-/// own soil goes on below; where the layer below is a nonlinear soil, whose stiffness depends on its stress;
-/// and where the profiles of both sides do not agree.
+/// The ground below the base of the model if it differs from the model's lowest soil: the half-space under a
+/// base at or below its top, the next layer under a base at an interface. Empty for a base within a layer,
+/// whose own soil goes on below; where the layer below is a nonlinear soil, whose stiffness depends on its
+/// stress; and where the profiles of both sides do not agree.
 std::optional<materials::Elasticity> ground_below_base(const Case& scene);
 
 /// Ascending levels (m), with each interface of the layers above the lowest of them twice: stress and strain

@@ -36,7 +36,7 @@ struct Level {
 /// The cells of the domain's mesh, those around the model's box included; for a mesh with a size and a box.
 mesh::Quadtree quadtree(const Case& scene);
 
-/// For a mesh with a size, a box and soils.
+/// Requires a mesh with a size, a box and soils.
 std::vector<Level> levels(const Case& scene);
 
 /// 0.65 h/c_p of an elastic structure on cells of a size (m), s.

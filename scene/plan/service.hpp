@@ -14,9 +14,10 @@ struct ServedLine {
   std::vector<double> levels;
 };
 
-/// What a source process has to serve so that every boundary face finds its free field: fields on a vertical
-/// line at the model's left edge, and the time on that line. With the horizontal slowness p a face at x reads
-/// the line at t - p (x - x_line), so the line starts p times the model's width before the shaking.
+/// Service required of a source process so that every boundary face finds its free field: fields on a
+/// vertical line at the model's left edge, and the time on that line. With the horizontal slowness p a face
+/// at x reads the line at t - p (x - x_line), so the line starts p times the model's width before the
+/// shaking.
 struct Service {
   std::vector<ServedLine> lines; ///< the free field at all levels; the incident wave at the base only
   double x_line = 0.0;           ///< m
@@ -24,7 +25,7 @@ struct Service {
   double end_time = 0.0;         ///< s
 };
 
-/// What the names of served fields end with, by the index of their plane wave: a face that asks for "total"
+/// Suffixes of the names of served fields, by the index of their plane wave: a face that requests "total"
 /// takes the sum of "total" and "total+vertical" (coupler/wire/field.hpp).
 constexpr std::string_view suffix_of_wave(std::size_t wave) {
   return wave == 0 ? "" : "+vertical";

@@ -1,4 +1,4 @@
-// Which processes serve the free fields. Equal fields (same model, same surface level and layers) share a
+// The processes that serve the free fields. Equal fields (same model, same surface level and layers) share a
 // process. The total field at the base is the one that both sides have; the incident wave knows no surface
 // and is taken from the left side's ground, whoever serves that side: so a side that is replaced changes no
 // bit of it.

@@ -51,7 +51,7 @@ std::vector<SoilContact> read_against(const TableReader& table, const std::vecto
 
 namespace {
 
-/// Nothing for a rigid structure.
+/// Stiffness of an elastic structure; empty for a rigid one.
 std::optional<mpm_domain::Stiffness> read_stiffness(const TableReader& table, Findings& findings) {
   const bool elastic = table.given("young") || table.given("poisson");
   if (table.given("rigid") && findings.sound(table.path("rigid"))) {

@@ -39,8 +39,8 @@ struct ImpliedStrength {
   bool near = false; ///< within a tenth
 };
 
-/// What the backbone of hysteretic soil has at 10 % shear strain, the strength that it implies, against the
-/// strength that the case gives. Nothing for other soils, and where no strength is given.
+/// The stress of a hysteretic soil's backbone at 10 % shear strain, which implies a strength, compared with
+/// the strength that the case gives. Empty for other soils, and if no strength is given.
 std::optional<ImpliedStrength> implied_strength(const Soil& soil);
 
 } // namespace tremolo::scene

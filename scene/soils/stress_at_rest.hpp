@@ -1,7 +1,7 @@
 #pragma once
 
-// How much of its strength a soil needs to carry its own weight. At rest the ground has sigma_v and, in both
-// horizontal directions, K0 sigma_v, that is in the invariants of the law's failure line q_f(p)
+// The fraction of its strength that a soil mobilises under its own weight. At rest the ground has sigma_v
+// and, in both horizontal directions, K0 sigma_v, that is in the invariants of the law's failure line q_f(p)
 //
 //     q = |1 - K0| sigma_v,      p = (1 + 2 K0)/3 sigma_v, or (1 + K0)/2 sigma_v of laws in the plane,
 //
@@ -29,7 +29,7 @@ std::optional<RestLimits> rest_limits(const materials::Law& law, double vertical
 /// phi_m, degrees.
 double mobilised_angle_deg(double k0);
 
-/// Where a soil mobilises most of its strength at rest: at the lower end of a piece of ground.
+/// The point at which a soil mobilises most of its strength at rest: the lower end of a piece of ground.
 struct RestingSoil {
   std::size_t soil = 0;
   double y = 0.0;               ///< m
@@ -41,7 +41,7 @@ struct RestingSoil {
 };
 
 /// The worst place of each soil that has a failure line, one a name, over some columns.
-/// @param above_bottom  how far above the lower end of a piece it is looked at, m
+/// @param above_bottom  height above the lower end of a piece at which it is evaluated, m
 std::vector<RestingSoil> resting_soils(const Case& scene, const std::vector<GroundColumn>& columns,
                                        double above_bottom = 0.0);
 

@@ -24,8 +24,8 @@ std::size_t offset(std::string_view text, toml::source_position position);
 /// it where it opens an inline table; outside of one the line, unless a comment ends it.
 Replacement without_pair(std::string_view text, std::size_t key, std::size_t value_end);
 
-/// What must stand between the value of the pair at `key` and the name of another key of the same table: a
-/// comma in an inline table, otherwise a new line, with the prefix of a dotted key.
+/// Separator between the value of the pair at `key` and the name of another key of its table: a comma in an
+/// inline table, otherwise a new line, with the prefix of a dotted key.
 std::string separator_after(std::string_view text, std::size_t key);
 
 } // namespace tremolo::scene

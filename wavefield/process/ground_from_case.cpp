@@ -57,8 +57,8 @@ LayeredHalfSpace ground_from_case(const scene::Case& scene, const std::vector<sc
   LayeredHalfSpace ground;
   ground.half_space = {deep.density, deep.s_wave_speed(), deep.p_wave_speed()};
   ground.half_space_damping = scene.halfspace_damping;
-  // At an angle Rayleigh's is that of columns alone, which have it in their equations. What they ask of this
-  // ground is the incident wave, which no layer has met.
+  // At oblique incidence only columns support Rayleigh damping, which is part of their equations. They need
+  // only the incident wave from this ground, which no layer has affected.
   const bool by_column = scene.damping.model == scene::DampingModel::rayleigh && scene.is_oblique();
   ground.damping = {by_column ? DampingModel::none : damping_model(scene.damping),
                     scene.damping.reference_hz.value_or(0.0), scene.damping.band, scene.damping.frequencies};

@@ -26,7 +26,7 @@ struct ComponentsOf {
 };
 using Components = ComponentsOf<double>;
 
-/// In-plane effective stress, Pa.
+/// The in-plane effective stress, Pa.
 template <typename Real>
 struct StressOf {
   Real p{};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the nodes of a lining's beam stand: in front of each is a corner of the polygon that the domain takes
+// Positions of the nodes of a lining's beam: in front of each is a corner of the polygon that the domain uses
 // as the outer face. Corners of the case's outline and hinges have nodes; the edges between them are cut into
 // equal elements, 64 around at least and none longer than a cell.
 

@@ -14,7 +14,7 @@ const TimedStage& stage_at(const Case& scene, double time);
 double next_frame(const Case& scene, double due, double time);
 double next_row(const Case& scene, double due, double time);
 
-/// How many frames and rows a run with steps of dt (s) writes at most: a step writes one.
+/// Largest numbers of frames and rows that a run with steps of dt (s) writes: a step writes at most one.
 std::int64_t most_frames(const Case& scene, double dt);
 std::int64_t most_rows(const Case& scene, double dt);
 

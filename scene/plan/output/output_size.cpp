@@ -17,9 +17,8 @@ namespace tremolo::scene {
 
 namespace {
 
-// What run.h5 takes without a row or a frame: attributes, room for the links of groups; what frames have
-// beside soil, /contact and /structures, has such room too. Room for a link is used up by more than 4,096
-// frames.
+// Size of run.h5 without a row or a frame: attributes and room for the links of groups, including the groups
+// /contact and /structures beside the frames of soil. Room for a link is used up by more than 4,096 frames.
 constexpr double empty_run_bytes = 180e3;
 constexpr double empty_part_bytes = 170e3;
 constexpr double frame_bytes = 300.0; // its group, time and link
@@ -85,7 +84,7 @@ bool has_elastic_structure(const Case& scene) {
                              [](const Structure& one) { return one.stiffness.has_value(); });
 }
 
-/// What elastic structures take besides what is counted for their particles as if they were soil.
+/// Additional size of elastic structures, whose particles are already counted as if they were soil.
 double frame_of_structures(const Case& scene) {
   constexpr double arrays = 5.0;
   return has_elastic_structure(scene) ? frame_bytes + arrays * array_overhead_bytes(0.0) : 0.0;
@@ -175,7 +174,7 @@ double outline_points(const Case& scene, const Plan& plan) {
   return static_cast<double>(points);
 }
 
-/// What ParaView reads run.h5 by: virtual datasets that name the arrays of each frame, numbers of the
+/// Size of ParaView's view of run.h5: virtual datasets that name the arrays of each frame, numbers of the
 /// particles, and places of faces and outlines.
 double paraview_bytes(const Case& scene, const Plan& plan, double frames) {
   constexpr double array_bytes = 6e3;     // a virtual dataset without the arrays that it names

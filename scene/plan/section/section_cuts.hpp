@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the lines of a section go through its structure.
+// Cuts of a section's lines through its structure.
 
 #include "scene/case.hpp"
 #include "scene/text/findings.hpp"
@@ -10,7 +10,7 @@
 
 namespace tremolo::scene {
 
-/// How a line goes through a structure.
+/// Way in which a line crosses a structure.
 enum class Crossing {
   once,        ///< from one surface to another
   never,       ///< it passes by
@@ -31,7 +31,7 @@ SectionCut cut_of(const Structure& structure, const Section::Line& line);
 /// The cuts of a section of a case without errors.
 std::vector<SectionCut> cuts_of(const Case& scene, const Section& section);
 
-/// Where a section's line or ring stands in messages.
+/// Path of a section's line or ring, for messages.
 std::string line_path(const Section& section);
 
 /// Whether nothing is wrong with the lines of a section, and with the structure that it cuts.

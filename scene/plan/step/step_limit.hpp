@@ -1,8 +1,8 @@
 #pragma once
 
-// What sets the critical time step of the domain. Every soil and every elastic structure allows one on the
-// cells that its particles touch; the least of them counts for all, so that one stiff or strongly damped
-// material makes the whole domain slow.
+// The critical time step of the domain. Every soil and every elastic structure allows one on the cells that
+// its particles touch; the smallest applies to all, so that one stiff or strongly damped material makes the
+// whole domain slow.
 
 #include "scene/plan/levels.hpp"
 
@@ -19,8 +19,8 @@ struct StepLimit {
   double undamped = 0.0; ///< the critical time step without damping, s
 };
 
-/// Where each level has a step of its own, half of the next coarser one's, all steps are those of the
-/// coarsest.
+/// If each level has its own step, half that of the next coarser level, all steps refer to the coarsest
+/// level.
 StepLimit step_limit(const Case& scene, std::span<const Level> levels);
 
 /// The critical time step of the domain at rest: the least of its levels, s.

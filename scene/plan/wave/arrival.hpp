@@ -4,7 +4,7 @@
 
 namespace tremolo::scene {
 
-/// How long after its reference point an incident wave reaches the model, at its lower left corner, s.
+/// Time that an incident wave takes from its reference point to the model's lower left corner, s.
 double delay_to_model(const Case& scene, const MotionInput& wave);
 
 /// When a share (1) of the Arias intensity of a shaking of [motion] has reached the model there, s of the

@@ -4,7 +4,7 @@
 
 namespace tremolo::scene {
 
-/// What a cell size resolves: shear waves with this many cells per wavelength or more.
+/// Number of cells per wavelength that shear waves need to be resolved.
 inline constexpr double cells_per_wavelength = 15.0;
 
 /// The highest frequency of shear waves that cells of a size resolve in the slowest soil of the domain, Hz.

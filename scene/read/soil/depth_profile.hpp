@@ -35,7 +35,7 @@ using DepthProfile = std::variant<LevelTable, StressPower>;
 /// The profiles of a file by the path of their keys, "soil.clay.vs".
 using DepthProfiles = std::map<std::string, DepthProfile, std::less<>>;
 
-/// Where a profile is evaluated: in the middle of a slice.
+/// Position at which a profile is evaluated: the middle of a slice.
 struct SlicePlace {
   double y = 0.0;                 ///< m
   double depth = 0.0;             ///< below [surface] level, m

@@ -16,7 +16,7 @@ constexpr std::array pore_key_names = {"porosity", "void_ratio", "grain_density"
 
 constexpr double quartz = 2650.0; // kg/m3
 
-/// How far a given density may be from that of grains and water: it is rounded in tables of soils.
+/// Tolerance of a given density relative to that of grains and water, since tables of soils round it.
 constexpr double density_rounding = 0.002;
 
 /// Keys of pores in a case without water would have no effect.
