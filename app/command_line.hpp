@@ -1,7 +1,8 @@
 #pragma once
 
-// The command line as the commands see it: the parts of CLI11 that they use, under CLI11's own names. CLI11
-// itself takes seconds to compile, so that command_line.cpp alone includes it.
+// The command line as the commands see it: the parts of CLI11 that they use, under CLI11's own names. A file
+// that includes CLI11 and reads four options takes 14 s of CPU to compile with -O3, with this header 0.8 s;
+// 25 commands would add five minutes to a build. So command_line.cpp alone includes it.
 
 #include "app/manual/command_table.hpp"
 

@@ -22,6 +22,10 @@ void validate(const LinearElastic& law) {
   check(law.elastic);
 }
 
+std::span<const LawField<LinearElastic>> fields(const LinearElastic& /*law*/) {
+  return {};
+}
+
 std::vector<ParameterValue> parameters(const LinearElastic& law) {
   return elastic_parameters(law.elastic);
 }

@@ -4,7 +4,7 @@
 // (objective_rate.hpp) and C : d_eps = 2 G dev(d_eps) + K tr(d_eps) I; in plane strain d_eps_zz = 0.
 
 #include "materials/elastic/elasticity.hpp"
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/traits.hpp"
@@ -29,6 +29,9 @@ void update(const LinearElastic& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const LinearElastic& law);
+
+/// The elastic constants are all that it takes.
+std::span<const LawField<LinearElastic>> fields(const LinearElastic& law);
 
 std::vector<ParameterValue> parameters(const LinearElastic& law);
 

@@ -67,8 +67,8 @@ std::vector<ParameterValue> parameters(const IwanShear& law) {
                     "parallel elastoplastic elements", "given"});
   values.push_back(
       {"largest_strain", last_yield, "1", "shear strain beyond which the stress is level", "given"});
-  values.push_back({"shear_strength", monotonic_stress(law, last_yield), "Pa", "largest dynamic shear stress",
-                    "backbone at largest_strain"});
+  values.push_back(report(find(backbone_parameters(), "shear_strength"), monotonic_stress(law, last_yield),
+                          "backbone at largest_strain"));
   append_loop_parameters(law.loops, values);
   return values;
 }

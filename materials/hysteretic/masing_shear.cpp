@@ -80,11 +80,11 @@ void validate(const MasingShear& law) {
 }
 
 std::vector<ParameterValue> parameters(const MasingShear& law) {
+  const auto given = backbone_parameters();
   std::vector<ParameterValue> values = elastic_parameters(law.elastic);
-  values.push_back({"reference_strain", law.reference_strain, "1", "gamma_r of the backbone", "given"});
+  values.push_back(report(given[0], law.reference_strain));
   if (law.shape) {
-    values.push_back(
-        {"shear_strength", law.backbone().strength(), "Pa", "largest dynamic shear stress", "given"});
+    values.push_back(report(given[3], law.backbone().strength()));
     const auto& [first, second, third, fourth, fifth] = *law.shape;
     values.push_back({"theta1", first, "1", "of the backbone, theta at zero strain", "given"});
     values.push_back({"theta2", second, "1", "of the backbone, change of theta to large strain", "given"});
@@ -92,8 +92,8 @@ std::vector<ParameterValue> parameters(const MasingShear& law) {
     values.push_back({"theta4", fourth, "1", "of the backbone", "given"});
     values.push_back({"theta5", fifth, "1", "of the backbone", "given"});
   } else {
-    values.push_back({"beta", law.beta, "1", "beta of the backbone", "given"});
-    values.push_back({"exponent", law.exponent, "1", "s of the backbone; 1 is the hyperbola", "given"});
+    values.push_back(report(given[1], law.beta));
+    values.push_back(report(given[2], law.exponent));
     values.push_back({"implied_strength", law.backbone().stress(0.1), "Pa",
                       "dynamic shear stress at 10 % strain", "backbone"});
   }

@@ -14,7 +14,7 @@
 #include "materials/elastic/linear_elastic.hpp"
 #include "materials/hysteretic/backbone/backbone.hpp"
 #include "materials/hysteretic/masing.hpp"
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/traits.hpp"

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -15,10 +16,27 @@
 namespace tremolo::materials {
 namespace {
 
+constexpr std::array given = {Parameter{.name = "undrained_strength",
+                                        .unit = "Pa",
+                                        .meaning = "undrained shear strength s_u",
+                                        .range = above_zero},
+                              Parameter{.name = "peak_strain",
+                                        .unit = "1",
+                                        .meaning = "engineering shear strain at which s_u is reached",
+                                        .range = {.low = 1e-6, .high = 1.0},
+                                        .fallback = "0.1"},
+                              Parameter{.name = "surfaces",
+                                        .unit = "1",
+                                        .meaning = "number of nested yield surfaces",
+                                        .range = {.low = iwan_group, .high = most_iwan_elements},
+                                        .otherwise = "20",
+                                        .remark = "a multiple of 4",
+                                        .whole = true}};
+
 void check_strength(const Elasticity& elastic, double undrained_strength, double peak_strain) {
   check(elastic);
-  check_positive("undrained_strength", undrained_strength);
-  check_range("peak_strain", peak_strain, 1e-6, 10.0);
+  check(given[0], undrained_strength);
+  check(given[1], peak_strain);
   const double elastic_stress = elastic.shear_modulus() * peak_strain;
   if (!(undrained_strength < elastic_stress)) {
     throw std::invalid_argument(fmt::format(
@@ -212,14 +230,15 @@ void validate(const MultiYieldClay& law) {
               (1.0 + 1e-9) * law.undrained_strength);
 }
 
+std::span<const Parameter> multi_yield_clay_parameters() {
+  return given;
+}
+
 std::vector<ParameterValue> parameters(const MultiYieldClay& law) {
   std::vector<ParameterValue> values = elastic_parameters(law.elastic);
-  values.push_back(
-      {"undrained_strength", law.undrained_strength, "Pa", "undrained shear strength s_u", "given"});
-  values.push_back(
-      {"peak_strain", law.peak_strain, "1", "engineering shear strain at which s_u is reached", "given"});
-  values.push_back(
-      {"surfaces", static_cast<double>(law.elements.size()), "1", "number of yield surfaces", "given"});
+  values.push_back(report(given[0], law.undrained_strength));
+  values.push_back(report(given[1], law.peak_strain));
+  values.push_back(report(given[2], static_cast<double>(law.elements.size())));
   return values;
 }
 

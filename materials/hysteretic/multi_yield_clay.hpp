@@ -21,7 +21,7 @@
 #include "materials/elastic/linear_elastic.hpp"
 #include "materials/hysteretic/backbone/curves.hpp"
 #include "materials/hysteretic/iwan_elements.hpp"
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
@@ -85,6 +85,9 @@ void update(const MultiYieldClay& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const MultiYieldClay& law);
+
+/// What a file gives the law besides the elastic constants and a curve.
+std::span<const Parameter> multi_yield_clay_parameters();
 
 std::vector<ParameterValue> parameters(const MultiYieldClay& law);
 

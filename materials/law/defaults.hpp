@@ -9,6 +9,10 @@
 //     void validate(const X&);
 //     std::vector<ParameterValue> parameters(const X&);
 //
+// and, where files give it by plain numbers, which then need no reader of their own,
+//
+//     std::span<const LawField<X>> fields(const X&);
+//
 // and it overloads those functions below that it knows better. law.cpp calls them as one calls swap: the
 // law's own overload goes before the template here.
 

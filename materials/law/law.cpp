@@ -30,6 +30,26 @@ constexpr bool all_complete(std::type_identity<std::variant<Each...>> /*laws*/) 
 static_assert(all_complete(std::type_identity<Laws>{}),
               "a law lacks one of the functions in law/defaults.hpp");
 
+/// Whether files give a law by its fields.
+template <class L>
+concept GivenByFields = requires(const L& law) {
+  static_cast<std::span<const LawField<L>> (*)(const L&)>(fields);
+};
+
+template <class L>
+void take_if_named(std::string_view wanted, std::optional<Law>& found) {
+  if constexpr (GivenByFields<L>)
+    if (L law{}; traits(law).name == wanted)
+      found = law;
+}
+
+template <class... Each>
+std::optional<Law> first_named(std::string_view wanted, std::type_identity<std::variant<Each...>> /*laws*/) {
+  std::optional<Law> found;
+  (take_if_named<Each>(wanted, found), ...);
+  return found;
+}
+
 } // namespace
 
 static_assert(std::is_nothrow_move_constructible_v<Laws> && std::is_nothrow_move_assignable_v<Laws>);
@@ -85,6 +105,22 @@ double p_wave_speed_bound(const Law& law, const Points& points) {
 void stiffness_ratios(const Law& law, const Points& points, double* ratios) {
   using defaults::stiffness_ratios;
   std::visit([&](const auto& one) { stiffness_ratios(one, points, ratios); }, law);
+}
+
+std::optional<Law> law_of_fields(std::string_view name) {
+  return first_named(name, std::type_identity<Laws>{});
+}
+
+std::vector<FieldOfLaw> fields(Law& law) {
+  return std::visit(
+      []<class L>(L& one) {
+        std::vector<FieldOfLaw> all;
+        if constexpr (GivenByFields<L>)
+          for (const auto& [text, field] : fields(one))
+            all.push_back({text, &(one.*field)});
+        return all;
+      },
+      static_cast<Laws&>(law));
 }
 
 std::vector<ParameterValue> parameters(const Law& law) {

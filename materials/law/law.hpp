@@ -10,7 +10,7 @@
 #include "materials/hysteretic/iwan_shear.hpp"
 #include "materials/hysteretic/masing_shear.hpp"
 #include "materials/hysteretic/multi_yield_clay.hpp"
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
@@ -81,6 +81,19 @@ double p_wave_speed_bound(const Law& law, const Points& points);
 /// The elastic stiffness of each point in its present stress and state over that of elasticity(law), 1.
 /// Poisson's ratio is a parameter, so one number suffices for all moduli.
 void stiffness_ratios(const Law& law, const Points& points, double* ratios);
+
+/// A law that files give by its fields and the elastic constants alone, with none of them set; nothing for
+/// other names.
+std::optional<Law> law_of_fields(std::string_view name);
+
+/// A field of a law, where it stands.
+struct FieldOfLaw {
+  Parameter text;
+  double* value;
+};
+
+/// The fields that files give; none of a law that is not given by fields.
+std::vector<FieldOfLaw> fields(Law& law);
 
 /// Every parameter in force and where its value comes from.
 std::vector<ParameterValue> parameters(const Law& law);

@@ -8,6 +8,7 @@
 #include "materials/tensor/objective_rate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -152,22 +153,45 @@ DruckerPrager frictionless(const Elasticity& elastic, double strength) {
   return {.elastic = elastic, .cohesion = strength};
 }
 
+namespace {
+
+constexpr Range angle = {.low = 0.0, .high = 89.0};
+constexpr std::array own_fields = {
+    LawField<DruckerPrager>{{.name = "cohesion", .unit = "Pa", .meaning = "cohesion", .range = from_zero},
+                            &DruckerPrager::cohesion},
+    LawField<DruckerPrager>{{.name = "friction_deg",
+                             .unit = "degrees",
+                             .meaning = "friction angle in the test that `cone` names",
+                             .range = angle},
+                            &DruckerPrager::friction},
+    LawField<DruckerPrager>{{.name = "dilation_deg",
+                             .unit = "degrees",
+                             .meaning = "dilation angle",
+                             .range = angle,
+                             .fallback = "0",
+                             .remark = "At most the friction angle."},
+                            &DruckerPrager::dilation}};
+
+} // namespace
+
+std::span<const LawField<DruckerPrager>> fields(const DruckerPrager& /*law*/) {
+  return own_fields;
+}
+
 void validate(const DruckerPrager& law) {
-  constexpr double steepest = 89.0 * std::numbers::pi / 180.0;
   check(law.elastic);
-  check_range("cohesion", law.cohesion, 0.0, std::numeric_limits<double>::max());
-  check_range("friction", law.friction, 0.0, steepest);
-  check_range("dilation", law.dilation, 0.0, law.friction);
+  for (const auto& [text, field] : own_fields)
+    check(text, law.*field);
+  check_at_most(own_fields[2].text, law.dilation, own_fields[1].text, law.friction);
   if (law.cohesion == 0.0 && law.friction == 0.0)
-    throw std::invalid_argument("cohesion and friction are both 0: the soil would have no strength");
+    throw std::invalid_argument("cohesion and friction_deg are both 0: the soil would have no strength");
 }
 
 std::vector<ParameterValue> parameters(const DruckerPrager& law) {
   const Cone made = cone(law);
   std::vector<ParameterValue> values = elastic_parameters(law.elastic);
-  values.push_back({"cohesion", law.cohesion, "Pa", "cohesion c", "given"});
-  values.push_back({"friction", law.friction, "rad", "friction angle phi", "given"});
-  values.push_back({"dilation", law.dilation, "rad", "dilation angle psi", "given"});
+  for (const auto& [text, field] : own_fields)
+    values.push_back(report(text, law.*field));
   const char* const matched =
       law.match == ConeMatch::triaxial_compression ? "matched to Mohr-Coulomb in triaxial compression"
       : law.match == ConeMatch::triaxial_extension ? "matched to Mohr-Coulomb in triaxial extension"

@@ -21,7 +21,7 @@
 
 #include "base/words.hpp"
 #include "materials/elastic/elasticity.hpp"
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
@@ -81,6 +81,9 @@ void update(const DruckerPrager& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const DruckerPrager& law);
+
+/// What a file gives the law besides the elastic constants and the cone.
+std::span<const LawField<DruckerPrager>> fields(const DruckerPrager& law);
 
 std::vector<ParameterValue> parameters(const DruckerPrager& law);
 

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 namespace tremolo::materials {
 namespace {
@@ -141,10 +140,67 @@ void mark_suspects(const MohrCoulomb& law, const Strength& peak, const Points& p
   }
 }
 
-void check_softening_pair(const char* quantity, double peak, double residual, double high) {
-  check_range(fmt::format("{}_peak", quantity), peak, 0.0, high);
-  check_range(fmt::format("{}_residual", quantity), residual, 0.0, peak);
-}
+constexpr Range angle = {.low = 0.0, .high = 89.0};
+
+using Law = MohrCoulomb;
+constexpr std::array own_fields = {
+    LawField<Law>{
+        {.name = "cohesion_peak", .unit = "Pa", .meaning = "cohesion before softening", .range = from_zero},
+        &Law::cohesion_peak},
+    LawField<Law>{{.name = "cohesion_residual",
+                   .unit = "Pa",
+                   .meaning = "cohesion after softening",
+                   .range = from_zero,
+                   .remark = "At most the peak."},
+                  &Law::cohesion_residual},
+    LawField<Law>{{.name = "friction_peak_deg",
+                   .unit = "degrees",
+                   .meaning = "friction angle before softening",
+                   .range = angle},
+                  &Law::friction_peak},
+    LawField<Law>{{.name = "friction_residual_deg",
+                   .unit = "degrees",
+                   .meaning = "friction angle after softening",
+                   .range = angle,
+                   .remark = "At most the peak."},
+                  &Law::friction_residual},
+    LawField<Law>{{.name = "dilation_peak_deg",
+                   .unit = "degrees",
+                   .meaning = "dilation angle before softening",
+                   .range = angle,
+                   .fallback = "0",
+                   .remark = "At most the friction angle."},
+                  &Law::dilation_peak},
+    LawField<Law>{{.name = "dilation_residual_deg",
+                   .unit = "degrees",
+                   .meaning = "dilation angle after softening",
+                   .range = angle,
+                   .fallback = "0"},
+                  &Law::dilation_residual},
+    LawField<Law>{{.name = "softening",
+                   .unit = "1",
+                   .meaning = "softening coefficient eta",
+                   .range = from_zero,
+                   .remark =
+                       "Cohesion and angles decay from peak to residual with exp(-eta e), e the equivalent "
+                       "plastic deviatoric strain. 0 keeps the peak."},
+                  &Law::softening}};
+
+/// Fields of which the first is at most the second: residual and peak, dilation and friction.
+constexpr std::array<std::array<std::size_t, 2>, 5> at_most = {{{1, 0}, {3, 2}, {5, 4}, {4, 2}, {5, 3}}};
+
+constexpr Parameter tension_cutoff = {.name = "tension_cutoff",
+                                      .unit = "Pa",
+                                      .meaning = "largest tensile stress",
+                                      .range = from_zero,
+                                      .otherwise = "the apex c cot(phi)"};
+constexpr Parameter reference_size = {
+    .name = "reference_size",
+    .unit = "m",
+    .meaning = "cell size h_ref for which `softening` holds",
+    .range = above_zero,
+    .otherwise = "needed where `softening` > 0",
+    .remark = "eta is scaled by h/h_ref, so that the work of a shear band does not depend on the mesh."};
 
 } // namespace
 
@@ -178,37 +234,36 @@ void update(const MohrCoulomb& law, const Points& points) {
   }
 }
 
+std::span<const LawField<MohrCoulomb>> fields(const MohrCoulomb& /*law*/) {
+  return own_fields;
+}
+
+std::span<const Parameter> mohr_coulomb_parameters() {
+  static const std::vector<Parameter> all = texts(own_fields, {tension_cutoff, reference_size});
+  return all;
+}
+
 void validate(const MohrCoulomb& law) {
-  constexpr double steepest = 89.0 * std::numbers::pi / 180.0;
   check(law.elastic);
-  check_softening_pair("cohesion", law.cohesion_peak, law.cohesion_residual,
-                       std::numeric_limits<double>::max());
-  check_softening_pair("friction", law.friction_peak, law.friction_residual, steepest);
-  check_softening_pair("dilation", law.dilation_peak, law.dilation_residual, law.friction_peak);
-  check_range("dilation_residual", law.dilation_residual, 0.0, law.friction_residual);
-  check_range("softening", law.softening, 0.0, std::numeric_limits<double>::max());
+  for (const auto& [text, field] : own_fields)
+    check(text, law.*field);
+  for (const auto& [lower, upper] : at_most)
+    check_at_most(own_fields[lower].text, law.*own_fields[lower].field, own_fields[upper].text,
+                  law.*own_fields[upper].field);
   if (law.cohesion_residual == 0.0 && law.friction_residual == 0.0) {
     throw std::invalid_argument(
-        "cohesion_residual and friction_residual are both 0: the soil would have no strength");
+        "cohesion_residual and friction_residual_deg are both 0: the soil would have no strength");
   }
   if (law.tension_cutoff)
-    check_range("tension_cutoff", *law.tension_cutoff, 0.0, std::numeric_limits<double>::max());
+    check(tension_cutoff, *law.tension_cutoff);
 }
 
 std::vector<ParameterValue> parameters(const MohrCoulomb& law) {
   std::vector<ParameterValue> values = elastic_parameters(law.elastic);
-  values.push_back({"cohesion_peak", law.cohesion_peak, "Pa", "cohesion before softening", "given"});
-  values.push_back({"cohesion_residual", law.cohesion_residual, "Pa", "cohesion after softening", "given"});
-  values.push_back({"friction_peak", law.friction_peak, "rad", "friction angle before softening", "given"});
-  values.push_back(
-      {"friction_residual", law.friction_residual, "rad", "friction angle after softening", "given"});
-  values.push_back({"dilation_peak", law.dilation_peak, "rad", "dilation angle before softening", "given"});
-  values.push_back(
-      {"dilation_residual", law.dilation_residual, "rad", "dilation angle after softening", "given"});
-  values.push_back({"softening", law.softening, "1", "eta: rate of decay with plastic strain", "given"});
-  values.push_back({"tension_cutoff", strength_at(law, 0.0).now.tension, "Pa",
-                    "largest tensile stress before softening",
-                    law.tension_cutoff ? "given; at most c cot(phi)" : "default: apex c cot(phi)"});
+  for (const auto& [text, field] : own_fields)
+    values.push_back(report(text, law.*field));
+  values.push_back(report(tension_cutoff, strength_at(law, 0.0).now.tension,
+                          law.tension_cutoff ? "given; at most c cot(phi)" : "default: apex c cot(phi)"));
   return values;
 }
 

@@ -14,7 +14,7 @@
 // cot(phi).
 
 #include "materials/elastic/elasticity.hpp"
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
@@ -55,6 +55,11 @@ void update(const MohrCoulomb& law, const Points& points);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const MohrCoulomb& law);
+
+/// What a file gives the law besides the elastic constants.
+std::span<const LawField<MohrCoulomb>> fields(const MohrCoulomb& law);
+/// With the tension cut-off, and the cell size for which softening holds.
+std::span<const Parameter> mohr_coulomb_parameters();
 
 std::vector<ParameterValue> parameters(const MohrCoulomb& law);
 

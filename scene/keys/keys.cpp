@@ -13,24 +13,6 @@
 
 namespace tremolo::scene {
 
-bool Range::contains(double value) const {
-  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
-}
-
-bool Range::bounded() const {
-  return std::isfinite(low) || std::isfinite(high);
-}
-
-std::string Range::text() const {
-  if (std::isfinite(low) && std::isfinite(high))
-    return fmt::format("in {}{}, {}{}", low_open ? '(' : '[', low, high, high_open ? ')' : ']');
-  if (std::isfinite(low))
-    return fmt::format("{} {}", low_open ? ">" : ">=", low);
-  if (std::isfinite(high))
-    return fmt::format("{} {}", high_open ? "<" : "<=", high);
-  return "finite";
-}
-
 const Key* Table::find(std::string_view key) const {
   const auto found = std::ranges::find(keys, key, &Key::name);
   return found == keys.end() ? nullptr : &*found;

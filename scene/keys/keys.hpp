@@ -4,7 +4,9 @@
 // generated reference (docs/case-file.md, docs/case.schema.json, docs/soil-test-file.md, ...) all come from
 // here, so a reference that differs from the program cannot exist.
 
-#include <limits>
+#include "base/range.hpp"
+
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,19 +29,6 @@ enum class Type {
   polygon,          ///< an array of at least three points [x, y]
   line,             ///< an array of at least two of them
   points,           ///< an array of at least one
-};
-
-/// Allowed values of a number.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;
-  bool high_open = false;
-
-  bool contains(double value) const;
-  bool bounded() const;
-  /// "> 0", ">= 1", "in [0, 90)"
-  std::string text() const;
 };
 
 /// Keys that exist only for some values of another key of the same table.

@@ -61,7 +61,7 @@ Table damping() {
            .unit = "Hz",
            .meaning = "The two frequencies at which Rayleigh damping has the ratio.",
            .required = true,
-           .range = positive,
+           .range = above_zero,
            .count = 2,
            .form = "[f1, f2]",
            .when = {"model", {"rayleigh"}}},
@@ -73,14 +73,14 @@ Table damping() {
            .otherwise =
                "none; needed by `kelvin_voigt`, `kjartansson`, `constant`, a damped domain and damped "
                "columns",
-           .range = positive,
+           .range = above_zero,
            .when = {"model", {"kelvin_voigt", "hysteretic", "shake", "kjartansson", "constant"}}},
           {.name = "band",
            .type = Type::numbers,
            .unit = "Hz",
            .meaning = "Between which frequencies the ratio is constant.",
            .otherwise = "[0.1, 25]",
-           .range = positive,
+           .range = above_zero,
            .count = 2,
            .form = "[f1, f2]",
            .when = {"model", {"constant"}}},
@@ -108,7 +108,7 @@ std::vector<Key> layer_keys() {
                              .unit = "m",
                              .meaning = "Thickness of the layer.",
                              .required = true,
-                             .range = positive});
+                             .range = above_zero});
   keys.push_back(
       {.name = "soil",
        .type = Type::text,

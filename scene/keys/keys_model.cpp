@@ -31,7 +31,7 @@ Table time() {
            .unit = "s",
            .meaning = "A fixed time step instead of `fraction`, with the same limits.",
            .otherwise = "from `fraction`",
-           .range = positive},
+           .range = above_zero},
           choice<Transfer>(
               "transfer", "How velocity travels between particles and grid: affine particle-in-cell or FLIP.",
               Transfer::apic),
@@ -141,7 +141,7 @@ std::vector<Table> model_keys() {
        .required = true,
        .meaning = "Background grid and particles.",
        .keys =
-           {{.name = "size", .unit = "m", .meaning = "Cell size h.", .required = true, .range = positive},
+           {{.name = "size", .unit = "m", .meaning = "Cell size h.", .required = true, .range = above_zero},
             {.name = "box",
              .type = Type::numbers,
              .unit = "m",

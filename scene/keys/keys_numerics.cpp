@@ -14,12 +14,12 @@ Table fe() {
                     .unit = "m",
                     .meaning = "Largest finite element.",
                     .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
-                    .range = positive},
+                    .range = above_zero},
                    {.name = "dt",
                     .unit = "s",
                     .meaning = "Time step of the column.",
                     .otherwise = "chosen by the column",
-                    .range = positive}}};
+                    .range = above_zero}}};
 }
 
 Table ode() {
@@ -42,12 +42,12 @@ Table ode() {
            .meaning = "Absolute tolerance of the local error in particle velocity; in strain, divided by the "
                       "shear wave speed.",
            .fallback = "1e-8",
-           .range = positive},
+           .range = above_zero},
           {.name = "cell_size",
            .unit = "m",
            .meaning = "Largest cell.",
            .otherwise = "half of `[mesh] size`: the free field is then more exact than the domain",
-           .range = positive}}};
+           .range = above_zero}}};
 }
 
 Table eql() {
@@ -60,7 +60,7 @@ Table eql() {
                     "Layers whose soil has curves are cut into equal ones no thicker than this: each has the "
                     "stiffness and damping of the strain at its middle.",
                 .fallback = "1",
-                .range = positive},
+                .range = above_zero},
                {.name = "strain_ratio",
                 .unit = "1",
                 .meaning = "Effective over largest shear strain.",

@@ -117,7 +117,7 @@ std::vector<Table> run_keys() {
                  .unit = "m",
                  .meaning = "Largest distance from point to point. A line has at most 100 points.",
                  .otherwise = "`size` of [mesh]",
-                 .range = positive}}},
+                 .range = above_zero}}},
       {.name = "sliding_mass",
        .kind = Kind::array,
        .meaning =

@@ -116,7 +116,7 @@ Table study_measures() {
            .unit = "1",
            .meaning = "Equivalent plastic strain of a shear band, as in `tremolo failure`.",
            .fallback = "0.1",
-           .range = positive},
+           .range = above_zero},
           choice<Intensity>("intensity",
                             "Measure of the incident motion over which responses are drawn: peak "
                             "acceleration, peak velocity, or Arias intensity.",

@@ -3,32 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <numbers>
 #include <utility>
 
 namespace tremolo::scene {
 
 namespace {
 
-/// Symbols of a law's report that have a name in words in files.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> in_words = {
-    {{"G_o", "shear_modulus_coefficient"}, {"h_po", "contraction_rate"}, {"p_A", "atmospheric_pressure"}}};
-
-ParameterInForce in_terms_of_the_file(const materials::ParameterValue& parameter) {
-  ParameterInForce shown{std::string(parameter.name),    parameter.value,  std::string(parameter.unit),
-                         std::string(parameter.meaning), parameter.origin, std::string(parameter.word)};
-  if (const auto* word = std::ranges::find(in_words, parameter.name, &decltype(in_words)::value_type::first);
-      word != in_words.end()) {
-    shown.meaning = fmt::format("{}, {}", parameter.name, parameter.meaning);
-    shown.name = word->second;
-  }
-  if (parameter.unit == "rad") {
-    shown.name += "_deg";
-    shown.value *= 180.0 / std::numbers::pi;
-    shown.unit = "degrees";
-  }
-  return shown;
+ParameterInForce shown(const materials::ParameterValue& parameter) {
+  return {std::string(parameter.name),    parameter.value,  std::string(parameter.unit),
+          std::string(parameter.meaning), parameter.origin, std::string(parameter.word)};
 }
 
 } // namespace
@@ -44,11 +27,11 @@ std::vector<ParameterInForce> parameters_in_force(const Soil& soil, const std::s
                                                   const std::vector<ValueInForce>& values) {
   std::vector<ParameterInForce> parameters;
   for (const auto& parameter : materials::parameters(soil.column_law)) {
-    auto shown = in_terms_of_the_file(parameter);
-    const auto value = std::ranges::find(values, fmt::format("{}.{}", table, shown.name), &ValueInForce::key);
-    if (value != values.end() && shown.origin == "given")
-      shown.origin = value->origin;
-    parameters.push_back(std::move(shown));
+    auto one = shown(parameter);
+    const auto value = std::ranges::find(values, fmt::format("{}.{}", table, one.name), &ValueInForce::key);
+    if (value != values.end() && one.origin == "given")
+      one.origin = value->origin;
+    parameters.push_back(std::move(one));
   }
   return parameters;
 }

@@ -16,6 +16,7 @@
 
 #include <gsl/gsl_integration.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <new>
@@ -23,6 +24,30 @@
 
 namespace tremolo::materials {
 namespace {
+
+constexpr std::string_view of_curve = "fitted to `curve`";
+constexpr std::array given = {Parameter{.name = "reference_strain",
+                                        .unit = "1",
+                                        .meaning = "engineering shear strain gamma_r of the backbone",
+                                        .range = above_zero,
+                                        .otherwise = of_curve},
+                              Parameter{.name = "beta",
+                                        .unit = "1",
+                                        .meaning = "factor beta of the backbone",
+                                        .range = above_zero,
+                                        .otherwise = of_curve},
+                              // above 1 the stress would fall with growing strain
+                              Parameter{.name = "exponent",
+                                        .unit = "1",
+                                        .meaning = "exponent s of the backbone",
+                                        .range = {.low = 0.1, .high = 1.0},
+                                        .otherwise = of_curve,
+                                        .remark = "1 is the hyperbola."},
+                              Parameter{.name = "shear_strength",
+                                        .unit = "Pa",
+                                        .meaning = "largest dynamic shear stress",
+                                        .range = above_zero,
+                                        .otherwise = "not known"}};
 
 double hyperbolic_damping(double x) {
   constexpr double pi = std::numbers::pi;
@@ -92,11 +117,15 @@ double Backbone::strength() const {
                                   : std::numeric_limits<double>::infinity();
 }
 
+std::span<const Parameter> backbone_parameters() {
+  return given;
+}
+
 void validate(const Backbone& backbone) {
   check_positive("shear modulus of the backbone", backbone.shear_modulus);
-  check_positive("reference_strain", backbone.reference_strain);
-  check_positive("beta", backbone.beta);
-  check_range("exponent", backbone.exponent, 0.1, 1.0); // above 1 the stress would fall with growing strain
+  check(given[0], backbone.reference_strain);
+  check(given[1], backbone.beta);
+  check(given[2], backbone.exponent);
   if (backbone.shape)
     validate(*backbone.shape);
   validate(backbone.loops);

@@ -17,11 +17,16 @@
 
 #include "materials/hysteretic/backbone/loop_reduction.hpp"
 #include "materials/hysteretic/backbone/quadratic_shape.hpp"
+#include "materials/law/parameter.hpp"
 
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace tremolo::materials {
+
+/// The numbers of a backbone in files: the reference strain, beta, the exponent and the strength.
+std::span<const Parameter> backbone_parameters();
 
 /// Shear stress and its derivative with respect to the engineering shear strain, Pa.
 struct ShearResponse {

@@ -15,7 +15,7 @@
 // where tau_M is the stress of the Masing rules for the same strains. A symmetric loop keeps its tips and F
 // of its area; inner loops close, as those of the Masing rules do.
 
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 
 #include <cmath>
 #include <vector>

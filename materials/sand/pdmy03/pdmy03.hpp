@@ -17,7 +17,7 @@
 #include "base/words.hpp"
 #include "materials/elastic/elasticity.hpp"
 #include "materials/elastic/linear_elastic.hpp"
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
@@ -117,6 +117,9 @@ struct Pdmy03 {
 /// @throws std::invalid_argument naming what is missing or out of range; for a density without a set it names
 /// the four that have one
 Pdmy03 pdmy03(const Pdmy03Input& input);
+
+/// The numbers of the input, in the order of the reference.
+std::span<const InputField<Pdmy03Input>> pdmy03_parameters();
 
 /// The recommended set of one density, as input to change or complete.
 /// @throws std::invalid_argument for a density other than 0.33, 0.57, 0.74, 0.87: sets are not interpolated

@@ -76,22 +76,26 @@ const RecommendedSet& recommended_set(double relative_density) {
 /// Takes values one after the other and notes where they come from.
 class Resolver {
 public:
-  explicit Resolver(Pdmy03& law) : law_(law) {}
+  Resolver(Pdmy03Input input, Pdmy03Input table, Pdmy03& law)
+      : input_(std::move(input)), table_(std::move(table)), law_(law) {}
 
   /// A value that is given, or stands in the recommended set.
-  double pick(P parameter, const std::optional<double>& given, const std::optional<double>& table) {
-    if (given)
+  double pick(P parameter) {
+    const Pdmy03Row& one = row(parameter);
+    if (const auto given = one.input(input_))
       return from(parameter, *given, Pdmy03Origin::given);
-    if (table)
-      return from(parameter, *table, Pdmy03Origin::table);
+    if (const auto in_set = one.input(table_))
+      return from(parameter, *in_set, Pdmy03Origin::table);
     throw std::invalid_argument(fmt::format(
-        "{} is missing: give it, or a relative_density of 0.33, 0.57, 0.74 or 0.87", pdmy03_name(parameter)));
+        "{} is missing: give it, or a relative_density of 0.33, 0.57, 0.74 or 0.87", one.text.name));
   }
 
   /// A value that is given, or the default.
-  double pick_or(P parameter, const std::optional<double>& given, double fallback) {
+  double pick_or_default(P parameter) {
+    const Pdmy03Row& one = row(parameter);
+    const auto given = one.input(input_);
     return given ? from(parameter, *given, Pdmy03Origin::given)
-                 : from(parameter, fallback, Pdmy03Origin::fallback);
+                 : from(parameter, one.fallback, Pdmy03Origin::fallback);
   }
 
   double from(P parameter, double value, Pdmy03Origin origin) {
@@ -100,6 +104,8 @@ public:
   }
 
 private:
+  Pdmy03Input input_;
+  Pdmy03Input table_;
   Pdmy03& law_;
 };
 
@@ -132,58 +138,43 @@ void check_angles(const Pdmy03& law) {
 
 /// Refuses what would make the surfaces meaningless before they are built.
 void check_values(const Pdmy03& law) {
-  constexpr double unbounded = std::numeric_limits<double>::max();
   check(law.elastic);
   check_angles(law);
-  check_range("contraction_a", law.contraction[0], 0.0, unbounded);
-  check_range("contraction_b", law.contraction[1], 0.0, unbounded);
-  check_range("contraction_c", law.contraction[2], 0.0, 10.0);
-  check_range("contraction_d", law.contraction[3], 0.0, unbounded);
-  check_range("contraction_e", law.contraction[4], -100.0, 100.0);
-  check_range("dilation_a", law.dilation[0], 0.0, unbounded);
-  check_range("dilation_b", law.dilation[1], 0.0, 100.0);
-  check_range("dilation_c", law.dilation[2], -10.0, 10.0);
-  check_positive("peak_shear_strain", law.peak_shear_strain);
-  check_positive("reference_pressure", law.reference_pressure);
-  check_range("pressure_exponent", law.pressure_exponent, 0.0, 1.0);
-  check_range("liquefaction_1", law.liquefaction_1, 0.0, unbounded);
-  check_range("liquefaction_2", law.liquefaction_2, 0.0, unbounded);
-  check_positive("atmospheric_pressure", law.atmospheric_pressure);
-  check_range("zero_pressure_strength", law.zero_pressure_strength, 0.0, law.reference_pressure);
+  for (const Pdmy03Row& one : pdmy03_rows())
+    if (&one != &row(P::friction) && &one != &row(P::phase_transformation) && &one != &row(P::surfaces))
+      check(one.text, one.value(law));
+  check_at_most(row(P::zero_pressure_strength).text, law.zero_pressure_strength,
+                row(P::reference_pressure).text, law.reference_pressure);
 }
 
 std::size_t surface_count(double given) {
-  check_range("surfaces", given, 3.0, static_cast<double>(most_pdmy03_surfaces));
+  check(row(P::surfaces).text, given);
   if (given != std::floor(given))
     throw std::invalid_argument(fmt::format("surfaces = {:g} must be a whole number", given));
   return static_cast<std::size_t>(given);
 }
 
-void resolve_soil(Resolver& resolver, const Pdmy03Input& input, const Pdmy03Input& table, Pdmy03& law) {
-  const double shear = resolver.pick(P::shear_modulus, input.shear_modulus, table.shear_modulus);
-  const double bulk = resolver.pick(P::bulk_modulus, input.bulk_modulus, table.bulk_modulus);
-  check_positive("shear_modulus", shear);
-  check_positive("bulk_modulus", bulk);
-  law.elastic = elasticity_of(resolver.pick(P::density, input.density, table.density), shear, bulk);
-  law.phase_transformation =
-      resolver.pick(P::phase_transformation, input.phase_transformation, table.phase_transformation);
-  for (std::size_t k = 0; k < law.contraction.size(); ++k) {
-    law.contraction[k] =
-        resolver.pick(following(P::contraction_a, k), input.contraction[k], table.contraction[k]);
-  }
+void resolve_soil(Resolver& resolver, Pdmy03& law) {
+  const double shear = resolver.pick(P::shear_modulus);
+  const double bulk = resolver.pick(P::bulk_modulus);
+  check(row(P::shear_modulus).text, shear);
+  check(row(P::bulk_modulus).text, bulk);
+  law.elastic = elasticity_of(resolver.pick(P::density), shear, bulk);
+  law.phase_transformation = resolver.pick(P::phase_transformation);
+  for (std::size_t k = 0; k < law.contraction.size(); ++k)
+    law.contraction[k] = resolver.pick(following(P::contraction_a, k));
   for (std::size_t k = 0; k < law.dilation.size(); ++k)
-    law.dilation[k] = resolver.pick(following(P::dilation_a, k), input.dilation[k], table.dilation[k]);
+    law.dilation[k] = resolver.pick(following(P::dilation_a, k));
 }
 
-void resolve_defaults(Resolver& resolver, const Pdmy03Input& input, Pdmy03& law) {
-  law.peak_shear_strain = resolver.pick_or(P::peak_shear_strain, input.peak_shear_strain, 0.1);
-  law.reference_pressure = resolver.pick_or(P::reference_pressure, input.reference_pressure, 101e3);
-  law.pressure_exponent = resolver.pick_or(P::pressure_exponent, input.pressure_exponent, 0.5);
-  law.liquefaction_1 = resolver.pick_or(P::liquefaction_1, input.liquefaction_1, 1.0);
-  law.liquefaction_2 = resolver.pick_or(P::liquefaction_2, input.liquefaction_2, 0.0);
-  law.atmospheric_pressure = resolver.pick_or(P::atmospheric_pressure, input.atmospheric_pressure, 101e3);
-  law.zero_pressure_strength =
-      resolver.pick_or(P::zero_pressure_strength, input.zero_pressure_strength, 1.73e3);
+void resolve_defaults(Resolver& resolver, Pdmy03& law) {
+  law.peak_shear_strain = resolver.pick_or_default(P::peak_shear_strain);
+  law.reference_pressure = resolver.pick_or_default(P::reference_pressure);
+  law.pressure_exponent = resolver.pick_or_default(P::pressure_exponent);
+  law.liquefaction_1 = resolver.pick_or_default(P::liquefaction_1);
+  law.liquefaction_2 = resolver.pick_or_default(P::liquefaction_2);
+  law.atmospheric_pressure = resolver.pick_or_default(P::atmospheric_pressure);
+  law.zero_pressure_strength = resolver.pick_or_default(P::zero_pressure_strength);
 }
 
 /// Strength and surfaces of a measured curve.
@@ -200,10 +191,10 @@ void resolve_curve(Resolver& resolver, const Pdmy03Input& input, Pdmy03& law) {
   law.peak_shear_strain = std::sqrt(2.0 / 3.0) * input.modulus_reduction.back().shear_strain;
 }
 
-void resolve_hyperbola(Resolver& resolver, const Pdmy03Input& input, const Pdmy03Input& table, Pdmy03& law) {
-  law.friction = resolver.pick(P::friction, input.friction, table.friction);
+void resolve_hyperbola(Resolver& resolver, Pdmy03& law) {
+  law.friction = resolver.pick(P::friction);
   check_values(law);
-  build_surfaces(law, surface_count(resolver.pick_or(P::surfaces, input.surfaces, 20.0)));
+  build_surfaces(law, surface_count(resolver.pick_or_default(P::surfaces)));
 }
 
 } // namespace
@@ -233,11 +224,11 @@ Pdmy03 pdmy03(const Pdmy03Input& input) {
   }
   law.cone = input.cone.value_or(Pdmy03Cone::triaxial_compression);
   law.cone_given = input.cone.has_value();
-  Resolver resolver(law);
-  resolve_soil(resolver, input, table, law);
-  resolve_defaults(resolver, input, law);
+  Resolver resolver(input, table, law);
+  resolve_soil(resolver, law);
+  resolve_defaults(resolver, law);
   if (input.modulus_reduction.empty())
-    resolve_hyperbola(resolver, input, table, law);
+    resolve_hyperbola(resolver, law);
   else
     resolve_curve(resolver, input, law);
   validate(law);

@@ -1,9 +1,11 @@
 #pragma once
 
-// Names of the parameters, in the order of parameters(const Pdmy03&).
+// The table of PDMY03's parameters, in the order of parameters(const Pdmy03&).
+
+#include "materials/sand/pdmy03/pdmy03.hpp"
 
 #include <cstddef>
-#include <string_view>
+#include <span>
 
 namespace tremolo::materials {
 
@@ -28,11 +30,24 @@ enum class Pdmy03Parameter : std::size_t {
   liquefaction_1,
   liquefaction_2,
   atmospheric_pressure,
-  zero_pressure_strength,
-  count
+  zero_pressure_strength
 };
 
-/// The name in the case file.
-std::string_view pdmy03_name(Pdmy03Parameter parameter);
+/// How far cyclic strength confirms an entry of the recommended sets.
+enum class Pdmy03Evidence { published, strength, none };
+
+struct Pdmy03Row {
+  Parameter text;
+  std::optional<double>& (*input)(Pdmy03Input&);
+  double (*value)(const Pdmy03&);
+  double fallback = 0.0; ///< as the law has it; of those that are in no recommended set
+  Pdmy03Evidence evidence = Pdmy03Evidence::published;
+};
+
+std::span<const Pdmy03Row> pdmy03_rows();
+
+inline const Pdmy03Row& row(Pdmy03Parameter parameter) {
+  return pdmy03_rows()[static_cast<std::size_t>(parameter)];
+}
 
 } // namespace tremolo::materials

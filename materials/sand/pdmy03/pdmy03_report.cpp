@@ -11,78 +11,13 @@
 namespace tremolo::materials {
 namespace {
 
-using P = Pdmy03Parameter;
-constexpr auto parameter_count = static_cast<std::size_t>(P::count);
-static_assert(parameter_count == Pdmy03::origin_count);
-
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-/// Evidence of cyclic strength for an entry of the recommended sets.
-enum class Evidence { published, strength, none };
-
-struct Description {
-  std::string_view name;
-  std::string_view unit;
-  std::string_view meaning;
-  Evidence evidence = Evidence::published;
-};
-
-constexpr std::array<Description, parameter_count> descriptions = {{
-    {"density", "kg/m3", "density of the saturated soil"},
-    {"shear_modulus", "Pa", "G_r, small-strain shear modulus at the reference pressure", Evidence::strength},
-    {"bulk_modulus", "Pa", "B_r, bulk modulus at the reference pressure", Evidence::strength},
-    {"friction_deg", "degrees", "friction angle of the cone", Evidence::strength},
-    {"phase_transformation_deg", "degrees",
-     "phase transformation angle, contraction below and dilation above", Evidence::strength},
-    {"contraction_a", "1", "c_a, rate of contraction", Evidence::strength},
-    {"contraction_b", "1", "c_b, contraction after dilation", Evidence::none},
-    {"contraction_c", "1", "c_c, dependence of contraction on pressure (K_sigma)", Evidence::none},
-    {"contraction_d", "1", "c_d, dependence of contraction on the cyclic stress ratio", Evidence::strength},
-    {"contraction_e", "1", "c_e, dependence of contraction on static shear (K_alpha)", Evidence::none},
-    {"dilation_a", "1", "d_a, rate of dilation", Evidence::none},
-    {"dilation_b", "1", "d_b, dependence of dilation on its strain", Evidence::none},
-    {"dilation_c", "1", "d_c, dependence of dilation on pressure", Evidence::none},
-    {"peak_shear_strain", "1", "octahedral shear strain at the strength, at the reference pressure"},
-    {"reference_pressure", "Pa", "p_r, mean effective pressure of G_r and B_r"},
-    {"pressure_exponent", "1", "d, stiffness grows with pressure to this power"},
-    {"surfaces", "1", "number of yield surfaces"},
-    {"liquefaction_1", "1", "share of dilation that widens the perfectly plastic zone"},
-    {"liquefaction_2", "1", "share of strain by which the perfectly plastic zone moves"},
-    {"atmospheric_pressure", "Pa", "p_a"},
-    {"zero_pressure_strength", "Pa", "S0, shear strength at zero mean effective pressure"},
-}};
-
-std::array<double, parameter_count> values(const Pdmy03& law) {
-  const auto& c = law.contraction;
-  const auto& d = law.dilation;
-  return {law.elastic.density,
-          law.elastic.shear_modulus(),
-          law.elastic.bulk_modulus(),
-          law.friction * degrees,
-          law.phase_transformation * degrees,
-          c[0],
-          c[1],
-          c[2],
-          c[3],
-          c[4],
-          d[0],
-          d[1],
-          d[2],
-          law.peak_shear_strain,
-          law.reference_pressure,
-          law.pressure_exponent,
-          static_cast<double>(law.surfaces),
-          law.liquefaction_1,
-          law.liquefaction_2,
-          law.atmospheric_pressure,
-          law.zero_pressure_strength};
-}
-
-std::string_view doubt(Evidence evidence) {
+std::string_view doubt(Pdmy03Evidence evidence) {
   switch (evidence) {
-  case Evidence::strength:
+  case Pdmy03Evidence::strength:
     return "; cyclic strength confirms it only together with the others";
-  case Evidence::none:
+  case Pdmy03Evidence::none:
     return "; cyclic strength does not identify it";
   default:
     return "";
@@ -95,7 +30,7 @@ std::string origin(const Pdmy03& law, std::size_t k) {
     return "given";
   case Pdmy03Origin::table:
     return fmt::format("table D_R {:.0f} %, as known of Khosravifar et al. (2018){}",
-                       100.0 * law.relative_density, doubt(descriptions[k].evidence));
+                       100.0 * law.relative_density, doubt(pdmy03_rows()[k].evidence));
   case Pdmy03Origin::curve:
     return "from the modulus reduction curve";
   case Pdmy03Origin::fallback:
@@ -122,16 +57,11 @@ void append_derived(const Pdmy03& law, std::vector<ParameterValue>& list) {
 
 } // namespace
 
-std::string_view pdmy03_name(Pdmy03Parameter parameter) {
-  return descriptions[static_cast<std::size_t>(parameter)].name;
-}
-
 std::vector<ParameterValue> parameters(const Pdmy03& law) {
   std::vector<ParameterValue> list;
-  const auto all = values(law);
-  for (std::size_t k = 0; k < parameter_count; ++k) {
-    list.push_back(
-        {descriptions[k].name, all[k], descriptions[k].unit, descriptions[k].meaning, origin(law, k)});
+  for (std::size_t k = 0; k < law.origins.size(); ++k) {
+    const Pdmy03Row& one = pdmy03_rows()[k];
+    list.push_back(report(one.text, one.value(law), origin(law, k)));
   }
   append_derived(law, list);
   return list;

@@ -20,7 +20,7 @@
 
 #include "materials/elastic/elasticity.hpp"
 #include "materials/elastic/linear_elastic.hpp"
-#include "materials/law/parameter_value.hpp"
+#include "materials/law/parameter.hpp"
 #include "materials/law/points.hpp"
 #include "materials/law/state_variable.hpp"
 #include "materials/law/strength_line.hpp"
@@ -36,33 +36,34 @@
 namespace tremolo::materials {
 
 /// The parameters as a user gives them, named as in the report; what is left out follows from the others.
+/// Their names in files, meanings, ranges and defaults stand in pm4sand_parameters().
 struct Pm4SandInput {
-  double density = 0.0;          ///< kg/m3; required
-  double relative_density = 0.0; ///< D_R, apparent, as a fraction; required
-  double G_o = 0.0;              ///< shear modulus coefficient, 1; required
-  double h_po = 0.0;             ///< contraction rate, 1; required, fitted last to the cyclic strength
-  std::optional<double> p_A;     ///< atmospheric pressure, Pa; 101.3 kPa
-  std::optional<double> e_max;   ///< 0.8
-  std::optional<double> e_min;   ///< 0.5
-  std::optional<double> n_b;     ///< bounding surface, 0.5
-  std::optional<double> n_d;     ///< dilatancy surface, 0.1
-  std::optional<double> phi_cv;  ///< critical state friction angle, rad; 33 degrees
-  std::optional<double> poisson; ///< 0.3; at most 0.4999
-  std::optional<double> Q;       ///< critical state line, 10
-  std::optional<double> R;       ///< critical state line, 1.5
-  std::optional<double> m;       ///< size of the yield surface, 0.01
-  std::optional<double> h_o;     ///< plastic modulus, max(0.3, (0.25 + D_R)/2)
-  std::optional<double> A_do;    ///< dilatancy; from the initial stress
-  std::optional<double> z_max;   ///< largest fabric; from the initial stress
-  std::optional<double> c_z;     ///< rate of fabric, 250
-  std::optional<double> c_eps;   ///< strain accumulation, 0.5 at D_R <= 0.55 to 0.2 at D_R >= 0.75
-  std::optional<double> C_GD;    ///< degradation of G with fabric, 2
-  std::optional<double> C_DR;    ///< rotated dilatancy, 5 + 25 (D_R - 0.35) in [1, 10]; given, at most 10
-  std::optional<double> C_kaf;   ///< plastic modulus under static shear, 5 + 220 (D_R - 0.26)^3 in [4, 35]
-  std::optional<double>
-      F_sed_min; ///< smallest reduction of stiffness after shaking, min(0.03 exp(2.6 D_R), 0.99)
-  std::optional<double> p_sedo; ///< pressure scale of that reduction, Pa; p_A/5
-  bool post_shake = false;      ///< reduced stiffness of reconsolidation after shaking
+  std::optional<double> density;          ///< kg/m3; needed
+  std::optional<double> relative_density; ///< D_R, apparent, as a fraction; needed
+  std::optional<double> G_o;              ///< needed
+  std::optional<double> h_po;             ///< needed
+  std::optional<double> p_A;              ///< Pa
+  std::optional<double> e_max;
+  std::optional<double> e_min;
+  std::optional<double> n_b;
+  std::optional<double> n_d;
+  std::optional<double> phi_cv; ///< rad
+  std::optional<double> poisson;
+  std::optional<double> Q;
+  std::optional<double> R;
+  std::optional<double> m;
+  std::optional<double> h_o;
+  std::optional<double> A_do;
+  std::optional<double> z_max;
+  std::optional<double> c_z;
+  std::optional<double> c_eps;
+  std::optional<double> C_GD;
+  std::optional<double> C_DR;
+  std::optional<double> C_kaf;
+  std::optional<double> F_sed_min;
+  std::optional<double> p_sedo; ///< Pa
+  std::optional<double> tolerance;
+  bool post_shake = false; ///< reduced stiffness of reconsolidation after shaking
 };
 
 /// Rules for dividing a step into sub-steps.
@@ -103,7 +104,7 @@ struct Pm4Sand {
   double M = 0.0;            ///< critical state line in M_cur, 2 sin(phi_cv)
   double bulk_ratio = 0.0;   ///< K/G
   double density_rate = 0.0; ///< of D_R with volumetric strain, (1 + e_0)/(e_max - e_min)
-  std::bitset<32> given = 0; ///< which of the optional parameters were given, in the order of the input
+  std::bitset<32> given = 0; ///< which parameters were given, in the order of pm4sand_parameters()
 };
 
 /// The law with all defaults computed from what is given.
@@ -113,6 +114,9 @@ Pm4Sand pm4sand(const Pm4SandInput& input);
 /// The soil in its post-shaking, reconsolidating condition.
 Pm4Sand after_shaking(Pm4Sand law);
 Pm4Sand shaken_again(Pm4Sand law);
+
+/// The parameters of the input, in the order of the reference.
+std::span<const InputField<Pm4SandInput>> pm4sand_parameters();
 
 /// Every parameter: value, unit, meaning, and "given" or the rule it follows from.
 std::vector<ParameterValue> parameters(const Pm4Sand& law);

@@ -23,7 +23,4 @@ Key choice(std::string_view key, std::string_view meaning, std::optional<Enum> f
   return choice(key, all_words<Enum>(), meaning, fallback ? name(*fallback) : std::string_view());
 }
 
-inline constexpr Range positive = {.low = 0.0, .low_open = true};
-inline constexpr Range not_negative = {.low = 0.0};
-
 } // namespace tremolo::scene

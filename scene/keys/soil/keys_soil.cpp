@@ -3,24 +3,12 @@
 #include "materials/plastic/drucker_prager.hpp"
 #include "scene/choices.hpp"
 #include "scene/keys/soil/keys_elastic.hpp"
+#include "scene/keys/soil/keys_law.hpp"
 #include "scene/soils/soil_library.hpp"
 
 namespace tremolo::scene {
 
 namespace {
-
-constexpr Range angle = {.low = 0.0, .high = 90.0, .high_open = true};
-
-/// A key of soils with a backbone.
-Key backbone(std::string_view name, std::vector<std::string_view> models, std::string_view meaning,
-             Range range) {
-  return {.name = name,
-          .unit = "1",
-          .meaning = meaning,
-          .otherwise = "fitted to `curve`",
-          .range = range,
-          .when = {"model", std::move(models)}};
-}
 
 /// A key of the built-in curves.
 Key darendeli(std::string_view name, std::string_view unit, std::string_view meaning,
@@ -34,6 +22,7 @@ Key darendeli(std::string_view name, std::string_view unit, std::string_view mea
           .when = {"curve", {"darendeli"}}};
 }
 
+<<<<<<< HEAD
 Condition mohr_coulomb() {
   return {"model", {name(SoilModel::mohr_coulomb)}};
 }
@@ -130,6 +119,13 @@ std::vector<Key> surface_keys() {
        .fallback = "0",
        .range = angle,
        .when = {"model", {name(SoilModel::drucker_prager)}}},
+=======
+/// What laws take besides numbers.
+std::vector<Key> shape_keys() {
+  const std::vector<std::string_view> all = {name(SoilModel::hyperbolic), name(SoilModel::mkz),
+                                             name(SoilModel::gqh)};
+  return {
+>>>>>>> 4719851b (Laws own their keys: name, unit, meaning, range and default of a parameter stand once)
       {.name = "cone",
        .type = Type::choice,
        .meaning = "In which test the circular cone has the angles: `triaxial_compression`, for which the "
@@ -138,35 +134,7 @@ std::vector<Key> surface_keys() {
                   "`triaxial_extension`; `plane_strain`.",
        .otherwise = "`plane_strain` of `drucker_prager`, `triaxial_compression` of `pdmy03`",
        .choices = all_words<materials::ConeMatch>(),
-       .when = {"model", cones}},
-      {.name = "undrained_strength",
-       .unit = "Pa",
-       .meaning = "Undrained shear strength s_u.",
-       .required = true,
-       .range = positive,
-       .when = {"model", {name(SoilModel::multi_yield_clay)}}},
-      {.name = "peak_strain",
-       .unit = "1",
-       .meaning = "Engineering shear strain at which s_u is reached.",
-       .fallback = "0.1",
-       .range = {.low = 0.0, .high = 1.0, .low_open = true},
-       .when = {"model", {name(SoilModel::multi_yield_clay)}}},
-      {.name = "surfaces",
-       .type = Type::integer,
-       .unit = "1",
-       .meaning = "Number of nested yield surfaces; of `multi_yield_clay` a multiple of 4 from 4 to 60, of "
-                  "`pdmy03` 3 to 40.",
-       .otherwise = "20",
-       .range = {.low = 3.0, .high = 60.0},
-       .when = {"model", {name(SoilModel::multi_yield_clay), name(SoilModel::pdmy03)}}},
-  };
-}
-
-std::vector<Key> hysteretic_keys() {
-  const std::vector<std::string_view> both = {name(SoilModel::hyperbolic), name(SoilModel::mkz)};
-  const std::vector<std::string_view> all = {name(SoilModel::hyperbolic), name(SoilModel::mkz),
-                                             name(SoilModel::gqh)};
-  return {
+       .when = {"model", {name(SoilModel::drucker_prager), name(SoilModel::pdmy03)}}},
       {.name = "curve",
        .type = Type::text,
        .meaning =
@@ -179,17 +147,6 @@ std::vector<Key> hysteretic_keys() {
        .when = {"model",
                 {name(SoilModel::mkz), name(SoilModel::gqh), name(SoilModel::multi_yield_clay),
                  name(SoilModel::pdmy03)}}},
-      backbone("reference_strain", both, "Shear strain of the backbone, engineering.", positive),
-      backbone("beta", {name(SoilModel::mkz)}, "Factor of the backbone.", positive),
-      backbone("exponent", {name(SoilModel::mkz)}, "Exponent of the backbone.", {.low = 0.1, .high = 1.0}),
-      {.name = "shear_strength",
-       .unit = "Pa",
-       .meaning = "Largest dynamic shear stress. `gqh` reaches it and needs it; of `hyperbolic` and `mkz` "
-                  "the strength "
-                  "that the backbone implies is compared with it.",
-       .otherwise = "not known",
-       .range = positive,
-       .when = {"model", all}},
       {.name = "theta",
        .type = Type::numbers,
        .unit = "1",
@@ -216,11 +173,16 @@ std::vector<Key> hysteretic_keys() {
        .count = 3,
        .form = "[p1, p2, p3]",
        .when = {"unloading", {name(Unloading::mrdf)}}},
-      darendeli("plasticity_index", "%", "Plasticity index.", "", not_negative),
+      darendeli("plasticity_index", "%", "Plasticity index.", "", from_zero),
       darendeli("overconsolidation_ratio", "1", "Overconsolidation ratio.", "1", {.low = 1.0}),
       darendeli("mean_stress", "Pa", "Mean effective confining stress.", "", {.low = 100.0, .high = 1e8}),
-      darendeli("excitation_hz", "Hz", "Frequency of loading.", "1", positive),
+      darendeli("excitation_hz", "Hz", "Frequency of loading.", "1", above_zero),
       darendeli("cycles", "1", "Number of cycles of loading.", "10", {.low = 1.0}),
+      {.name = "post_shake",
+       .type = Type::boolean,
+       .meaning = "The sand has been shaken and reconsolidates: elastic stiffness reduced by F_sed.",
+       .fallback = "false",
+       .when = {"model", {name(SoilModel::pm4sand)}}},
   };
 }
 
@@ -242,8 +204,7 @@ std::vector<Key> soil_keys() {
           "rules, G/G0 = 1/(1 + beta (gamma/reference_strain)^exponent); `gqh`: the same with a given "
           "strength. `pm4sand`: sand that liquefies, "
           "PM4Sand 3.1. `pdmy03`: sand with cyclic mobility, pressure-dependent multi-yield, set 03.")};
-  for (const auto& group :
-       {soil_elastic_keys(), mohr_coulomb_keys(), surface_keys(), hysteretic_keys(), sand_keys()})
+  for (const auto& group : {law_keys(), shape_keys()})
     keys.insert(keys.end(), group.begin(), group.end());
   return keys;
 }

@@ -13,7 +13,4 @@ inline constexpr std::string_view soil_meaning =
 /// The keys of a soil, the same in cases, soil tests and the library.
 std::vector<Key> soil_keys();
 
-/// The keys of PM4Sand and PDMY03.
-std::vector<Key> sand_keys();
-
 } // namespace tremolo::scene

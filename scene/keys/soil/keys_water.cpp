@@ -92,7 +92,7 @@ std::vector<Key> pore_keys() {
        .meaning = "Hydraulic conductivity k of Darcy's law, n w = k i. Soil below the water table with "
                   "`drainage = \"coupled\"` needs it.",
        .otherwise = "none",
-       .range = positive},
+       .range = above_zero},
       {.name = "drainage",
        .type = Type::choice,
        .meaning = "What water does below the table. `coupled`: it flows by Darcy's law. `undrained`: it "

@@ -37,7 +37,7 @@ Table stage_table() {
            .unit = "m/s2",
            .meaning = "Gravity, downwards.",
            .fallback = "9.81",
-           .range = positive,
+           .range = above_zero,
            .when = {"kind", {"gravity"}}},
           {.name = "residual",
            .unit = "1",

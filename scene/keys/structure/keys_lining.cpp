@@ -12,7 +12,7 @@ std::vector<Key> beam_keys() {
            .unit = "Pa",
            .meaning = "Young's modulus of a plate of this thickness; together with `poisson` and `density`.",
            .otherwise = "`axial_stiffness`, `bending_stiffness` and `mass`",
-           .range = positive},
+           .range = above_zero},
           {.name = "poisson",
            .unit = "1",
            .meaning = "Poisson's ratio of the plate, which bends in plane strain.",
@@ -22,23 +22,23 @@ std::vector<Key> beam_keys() {
            .unit = "kg/m3",
            .meaning = "Mass of the plate by volume.",
            .otherwise = "with `young`",
-           .range = positive},
+           .range = above_zero},
           {.name = "axial_stiffness",
            .unit = "N/m",
            .meaning = "EA per metre out of plane, of any section; together with `bending_stiffness` and "
                       "`mass`. Such a lining does not shear.",
            .otherwise = "`young`, `poisson` and `density`",
-           .range = positive},
+           .range = above_zero},
           {.name = "bending_stiffness",
            .unit = "N m",
            .meaning = "EI per metre out of plane.",
            .otherwise = "with `axial_stiffness`",
-           .range = positive},
+           .range = above_zero},
           {.name = "mass",
            .unit = "kg/m2",
            .meaning = "Mass by area of the lining.",
            .otherwise = "with `axial_stiffness`",
-           .range = positive}};
+           .range = above_zero}};
 }
 
 } // namespace
@@ -63,7 +63,7 @@ std::vector<Table> lining_keys() {
                 .meaning = "From the outer to the inner face. The axis of the beam lies half of it behind "
                            "the outer face.",
                 .required = true,
-                .range = positive}}};
+                .range = above_zero}}};
   for (const Key& key : beam_keys())
     lining.keys.push_back(key);
   lining.keys.push_back({.name = "hinges",
@@ -77,12 +77,12 @@ std::vector<Table> lining_keys() {
                          .meaning = "Coefficient of friction of its outer face against all soils; 0: full "
                                     "slip.",
                          .required = true,
-                         .range = not_negative});
+                         .range = from_zero});
   lining.keys.push_back({.name = "adhesion",
                          .unit = "Pa",
                          .meaning = "Shear stress that its outer face bears besides friction.",
                          .fallback = "0",
-                         .range = not_negative});
+                         .range = from_zero});
   return {std::move(lining),
           circle_table("lining.circle",
                        "The outer face as a circle, `circle = { centre = [x, y], radius = r }` instead of "

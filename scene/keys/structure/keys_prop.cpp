@@ -39,7 +39,7 @@ std::vector<Table> prop_keys() {
                      .meaning = "Force per metre of lengthening and metre out of plane: E A/(L s) of bars of "
                                 "section A and length L at a spacing s.",
                      .required = true,
-                     .range = positive},
+                     .range = above_zero},
                     {.name = "prestress",
                      .unit = "N/m",
                      .meaning = "Its force at the end of the stage in which it comes; negative in a strut.",
@@ -48,7 +48,7 @@ std::vector<Table> prop_keys() {
                      .unit = "N/m",
                      .meaning = "Largest force, in tension and in compression; at it the prop yields.",
                      .otherwise = "it is elastic",
-                     .range = positive},
+                     .range = above_zero},
                     choice<mpm_domain::Bears>(
                         "bears",
                         "The forces that it can have: an anchor goes slack where its ends come closer, and a "

@@ -16,7 +16,7 @@ Table circle_table(std::string_view name, std::string_view meaning) {
            .required = true,
            .count = 2,
            .form = "[x, y]"},
-          {.name = "radius", .unit = "m", .meaning = "Its radius.", .required = true, .range = positive}}};
+          {.name = "radius", .unit = "m", .meaning = "Its radius.", .required = true, .range = above_zero}}};
 }
 
 Table against_table(std::string_view name, std::string_view meaning) {
@@ -29,12 +29,12 @@ Table against_table(std::string_view name, std::string_view meaning) {
                 .unit = "1",
                 .meaning = "Coefficient of friction against this soil.",
                 .otherwise = "that of the whole surface",
-                .range = not_negative},
+                .range = from_zero},
                {.name = "adhesion",
                 .unit = "Pa",
                 .meaning = "Adhesion to this soil.",
                 .otherwise = "that of the whole surface",
-                .range = not_negative}}};
+                .range = from_zero}}};
 }
 
 std::vector<Table> structure_keys() {
@@ -60,7 +60,7 @@ std::vector<Table> structure_keys() {
                  .meaning = "Mass by volume of what lies between outline and hole: of a building with rooms, "
                             "the mean of all of it.",
                  .required = true,
-                 .range = positive},
+                 .range = above_zero},
                 {.name = "rigid",
                  .type = Type::boolean,
                  .meaning = "`true`: it keeps its shape, and moves by three degrees of freedom.",
@@ -71,7 +71,7 @@ std::vector<Table> structure_keys() {
                      "Young's modulus of an elastic structure; together with `poisson`. For a building "
                      "with rooms, that of a solid block with the building's natural period.",
                  .otherwise = "`rigid`",
-                 .range = positive},
+                 .range = above_zero},
                 {.name = "poisson",
                  .unit = "1",
                  .meaning = "Poisson's ratio of an elastic structure; together with `young`.",
@@ -84,12 +84,12 @@ std::vector<Table> structure_keys() {
                      "against all soils and other structures; of two structures the smaller one counts. "
                      "It acts with effective stress.",
                  .required = true,
-                 .range = not_negative},
+                 .range = from_zero},
                 {.name = "adhesion",
                  .unit = "Pa",
                  .meaning = "Shear stress that its surface bears besides friction.",
                  .fallback = "0",
-                 .range = not_negative}}},
+                 .range = from_zero}}},
       circle_table("structure.circle",
                    "The outline as a circle, `circle = { centre = [x, y], radius = r }` instead "
                    "of `polygon`: a polygon of 64 corners with the same area."),

@@ -122,10 +122,10 @@ std::optional<Backbone> read_backbone(const TableReader& table, const SoilCurves
 
 Soil read_hysteretic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
-  need(table, "density", findings);
+  const bool sound = sound_numbers(table, table.choice<SoilModel>("model"), findings);
   const auto elastic = read_elasticity(table, findings);
   Soil linear{soil.name, materials::LinearElastic{elastic}, materials::LinearElastic{elastic}, {}, {}};
-  if (!findings.sound(table.path()) || !(elastic.density > 0.0))
+  if (!sound || !findings.sound(table.path()) || !(elastic.density > 0.0))
     return linear;
   const char* source = table.given("curve") ? "curve" : "model";
   try {

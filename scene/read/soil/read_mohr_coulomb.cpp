@@ -6,16 +6,11 @@ namespace tremolo::scene {
 
 namespace {
 
-materials::MohrCoulomb law_of(const TableReader& table, const materials::Elasticity& elastic) {
-  return {.elastic = elastic,
-          .cohesion_peak = table.number("cohesion_peak"),
-          .cohesion_residual = table.number("cohesion_residual"),
-          .friction_peak = table.number("friction_peak_deg") * degree,
-          .friction_residual = table.number("friction_residual_deg") * degree,
-          .dilation_peak = table.number("dilation_peak_deg") * degree,
-          .dilation_residual = table.number("dilation_residual_deg") * degree,
-          .softening = table.number("softening"),
-          .tension_cutoff = table.optional_number("tension_cutoff")};
+materials::Law strength_of(const TableReader& table, const materials::Elasticity& elastic) {
+  materials::Law law =
+      materials::MohrCoulomb{.elastic = elastic, .tension_cutoff = table.optional_number("tension_cutoff")};
+  read_fields(law, table);
+  return law;
 }
 
 struct Bounded {
@@ -48,10 +43,10 @@ void check_strength(const TableReader& table, Findings& findings) {
 
 Soil read_mohr_coulomb(const NamedTable& soil, double mesh_size, Findings& findings) {
   const auto& table = soil.reader;
-  need(table, "density", findings);
+  sound_numbers(table, SoilModel::mohr_coulomb, findings);
   const auto elastic = read_elasticity(table, findings);
   check_strength(table, findings);
-  materials::Law law = law_of(table, elastic);
+  materials::Law law = strength_of(table, elastic);
   const auto reference = table.optional_number("reference_size");
   if (const double softening = table.number("softening"); !reference && mesh_size > 0.0 && softening > 0.0)
     findings.add(

@@ -8,6 +8,17 @@ namespace tremolo::scene {
 
 namespace {
 
+/// The law of the model's name, whose numbers are its fields.
+materials::Law of_fields(const TableReader& table, const materials::Elasticity& elastic) {
+  materials::Law law = materials::law_of_fields(table.text("model")).value();
+  std::visit([&](auto& one) { one.elastic = elastic; }, static_cast<materials::Laws&>(law));
+  read_fields(law, table);
+  if (auto* cone = std::get_if<materials::DruckerPrager>(&law))
+    cone->match =
+        value_named<materials::ConeMatch>(table.text("cone")).value_or(materials::ConeMatch::plane_strain);
+  return law;
+}
+
 materials::Law clay(const TableReader& table, const materials::Elasticity& elastic,
                     const std::filesystem::path& directory) {
   const double strength = table.number("undrained_strength");
@@ -23,8 +34,6 @@ materials::Law clay(const TableReader& table, const materials::Elasticity& elast
 /// Surfaces of the clay are updated in groups of four.
 bool sound_count(const TableReader& table, Findings& findings) {
   constexpr int group = 4;
-  if (!within(table, "surfaces", {.low = group, .high = 60.0}, "", findings))
-    return false;
   const int count = table.integer("surfaces");
   if (count % group == 0)
     return true;
@@ -38,28 +47,18 @@ bool sound_count(const TableReader& table, Findings& findings) {
 
 Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
-  need(table, "density", findings);
-  if (table.choice<SoilModel>("model") == SoilModel::drucker_prager)
-    need(table, "friction_deg", findings);
+  const auto model = table.choice<SoilModel>("model");
+  const bool sound = sound_numbers(table, model, findings);
   const auto elastic = read_elasticity(table, findings);
-  for (const char* key : {"density", "young", "poisson", "vs", "vp", "cohesion", "friction_deg",
-                          "dilation_deg", "undrained_strength", "peak_strain", "surfaces", "curve"})
-    if (!findings.sound(table.path(key)))
-      return placeholder(soil.name);
+  if (!sound || !findings.sound(table.path("curve")))
+    return placeholder(soil.name);
   if (!(elastic.density > 0.0 && elastic.young > 0.0))
     return placeholder(soil.name);
-  if (!sound_count(table, findings))
+  if (model == SoilModel::multi_yield_clay && !sound_count(table, findings))
     return placeholder(soil.name);
   try {
-    const materials::Law law = table.choice<SoilModel>("model") == SoilModel::drucker_prager
-                                   ? materials::Law(materials::DruckerPrager{
-                                         .elastic = elastic,
-                                         .cohesion = table.number("cohesion"),
-                                         .friction = table.number("friction_deg") * degree,
-                                         .dilation = table.number("dilation_deg") * degree,
-                                         .match = value_named<materials::ConeMatch>(table.text("cone"))
-                                                      .value_or(materials::ConeMatch::plane_strain)})
-                                   : clay(table, elastic, directory);
+    const materials::Law law =
+        model == SoilModel::multi_yield_clay ? clay(table, elastic, directory) : of_fields(table, elastic);
     materials::validate(law);
     return {soil.name, law, law, {}, {}};
   } catch (const std::exception& error) {

@@ -1,3 +1,4 @@
+#include "scene/keys/soil/keys_law.hpp"
 #include "scene/read/soil/read_soil.hpp"
 #include "scene/read/soil/read_water.hpp"
 #include "scene/soils/plausible.hpp"
@@ -15,53 +16,10 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Hands out the optional numbers of a table.
-class Numbers {
-public:
-  explicit Numbers(const TableReader& table) : table_(table) {}
-  std::optional<double> operator()(std::string_view key) const { return table_.optional_number(key); }
-  std::optional<double> angle(std::string_view key) const {
-    const auto value = table_.optional_number(key);
-    return value ? std::optional(*value * degree) : std::nullopt;
-  }
-
-private:
-  const TableReader& table_;
-};
-
 materials::Pm4SandInput pm4sand_input(const TableReader& table) {
-  const Numbers number(table);
-  return {.density = table.number("density"),
-          .relative_density = table.number("relative_density"),
-          .G_o = table.number("shear_modulus_coefficient"),
-          .h_po = table.number("contraction_rate"),
-          .p_A = number("atmospheric_pressure"),
-          .e_max = number("e_max"),
-          .e_min = number("e_min"),
-          .n_b = number("n_b"),
-          .n_d = number("n_d"),
-          .phi_cv = number.angle("phi_cv_deg"),
-          .poisson = number("poisson"),
-          .Q = number("Q"),
-          .R = number("R"),
-          .m = number("m"),
-          .h_o = number("h_o"),
-          .A_do = number("A_do"),
-          .z_max = number("z_max"),
-          .c_z = number("c_z"),
-          .c_eps = number("c_eps"),
-          .C_GD = number("C_GD"),
-          .C_DR = number("C_DR"),
-          .C_kaf = number("C_kaf"),
-          .F_sed_min = number("F_sed_min"),
-          .p_sedo = number("p_sedo"),
-          .post_shake = table.boolean("post_shake")};
-}
-
-materials::Law pm4sand(const TableReader& table) {
-  materials::Pm4Sand law = materials::pm4sand(pm4sand_input(table));
-  law.integration.tolerance = table.number("tolerance");
-  return law;
+  materials::Pm4SandInput input{.post_shake = table.boolean("post_shake")};
+  read_into(input, materials::pm4sand_parameters(), table);
+  return input;
 }
 
 /// G/Gmax that the surfaces share. The built-in curve at as many strains as there are surfaces by default.
@@ -85,27 +43,10 @@ std::vector<materials::ModulusReduction> modulus_reduction(const TableReader& ta
 }
 
 materials::Law pdmy03(const TableReader& table, const std::filesystem::path& directory) {
-  const Numbers number(table);
-  return materials::pdmy03(
-      {.relative_density = number("relative_density"),
-       .density = number("density"),
-       .shear_modulus = number("shear_modulus"),
-       .bulk_modulus = number("bulk_modulus"),
-       .friction = number.angle("friction_deg"),
-       .phase_transformation = number.angle("phase_transformation_deg"),
-       .contraction = {number("contraction_a"), number("contraction_b"), number("contraction_c"),
-                       number("contraction_d"), number("contraction_e")},
-       .dilation = {number("dilation_a"), number("dilation_b"), number("dilation_c")},
-       .peak_shear_strain = number("peak_shear_strain"),
-       .reference_pressure = number("reference_pressure"),
-       .pressure_exponent = number("pressure_exponent"),
-       .surfaces = number("surfaces"),
-       .liquefaction_1 = number("liquefaction_1"),
-       .liquefaction_2 = number("liquefaction_2"),
-       .atmospheric_pressure = number("atmospheric_pressure"),
-       .zero_pressure_strength = number("zero_pressure_strength"),
-       .cone = value_named<materials::Pdmy03Cone>(table.text("cone")),
-       .modulus_reduction = modulus_reduction(table, directory)});
+  materials::Pdmy03Input input{.cone = value_named<materials::Pdmy03Cone>(table.text("cone")),
+                               .modulus_reduction = modulus_reduction(table, directory)};
+  read_into(input, materials::pdmy03_parameters(), table);
+  return materials::pdmy03(input);
 }
 
 /// Whether the density, where there is one, has a recommended set.
@@ -121,32 +62,28 @@ bool recommended(const TableReader& table, Findings& findings) {
   }
 }
 
-/// Whether the keys that other models have too suit this one.
-bool suits_pdmy03(const TableReader& table, Findings& findings) {
-  bool good = within(table, "friction_deg", {.low = 1.0, .high = 65.0}, " degrees", findings);
-  good &= within(table, "surfaces", {.low = 3.0, .high = 40.0}, "", findings);
-  if (!table.given("curve"))
-    return good;
+/// Whether nothing is given twice: by a curve, and by what it fixes.
+bool given_once(const TableReader& table, Findings& findings) {
+  bool once = true;
   for (const char* key : {"friction_deg", "surfaces", "peak_shear_strain"})
-    if (table.given(key)) {
+    if (table.given("curve") && table.given(key)) {
       findings.add(
           table.path(key),
           fmt::format("'{}' and 'curve' exclude each other: the curve fixes friction angle, surfaces "
                       "and their last strain; remove one",
                       key));
-      good = false;
+      once = false;
     }
-  return good;
+  return once;
 }
 
 /// The law compares moduli and pressures with each other: which of those that it refuses are likely to be in
 /// another unit.
 std::string pressure_doubts(const TableReader& table) {
   std::string text;
-  for (const char* key : {"shear_modulus", "bulk_modulus", "reference_pressure", "atmospheric_pressure",
-                          "zero_pressure_strength", "p_sedo"})
-    if (const auto value = table.optional_number(key))
-      if (const auto doubt = unit_doubt(table.path(key), *value))
+  for (const materials::Parameter& parameter : parameters_of(table.choice<SoilModel>("model")))
+    if (const auto value = table.optional_number(parameter.name); value && parameter.unit == "Pa")
+      if (const auto doubt = unit_doubt(table.path(parameter.name), *value))
         text += "; " + *doubt;
   return text;
 }
@@ -181,19 +118,14 @@ std::optional<double> saturated_density_of_law(const TableReader& table) {
 
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings) {
   const auto& table = soil.reader;
-  const bool pm4 = table.choice<SoilModel>("model") == SoilModel::pm4sand;
-  if (pm4) {
-    need(table, "density", findings);
-    need(table, "relative_density", findings);
-  }
-  for (const char* key : {"density", "relative_density", "shear_modulus_coefficient", "contraction_rate",
-                          "friction_deg", "surfaces", "curve"})
-    if (!findings.sound(table.path(key)))
-      return placeholder(soil.name);
-  if (!pm4 && (!recommended(table, findings) || !suits_pdmy03(table, findings)))
+  const auto model = table.choice<SoilModel>("model");
+  const bool pm4 = model == SoilModel::pm4sand;
+  if (!sound_numbers(table, model, findings) || !findings.sound(table.path("curve")) ||
+      (!pm4 && (!recommended(table, findings) || !given_once(table, findings))))
     return placeholder(soil.name);
   try {
-    const materials::Law law = pm4 ? pm4sand(table) : pdmy03(table, directory);
+    const materials::Law law =
+        pm4 ? materials::Law(materials::pm4sand(pm4sand_input(table))) : pdmy03(table, directory);
     return {soil.name, law, law, {}, {}};
   } catch (const std::exception& error) {
     findings.add(table.path(), error.what() + pressure_doubts(table));

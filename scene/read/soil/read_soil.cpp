@@ -1,4 +1,5 @@
 #include "scene/read/soil/read_soil.hpp"
+#include "scene/keys/soil/keys_law.hpp"
 #include "scene/read/read.hpp"
 #include "scene/read/soil/read_water.hpp"
 #include "scene/soils/soil_library.hpp"
@@ -12,12 +13,6 @@
 namespace tremolo::scene {
 
 namespace {
-
-Soil read_linear(const NamedTable& soil, Findings& findings) {
-  need(soil.reader, "density", findings);
-  const materials::LinearElastic law{read_elasticity(soil.reader, findings)};
-  return {soil.name, law, law, {}, {}};
-}
 
 /// The model of a soil of the library is part of it.
 bool keeps_model(const TableReader& table, Findings& findings) {
@@ -34,19 +29,30 @@ bool keeps_model(const TableReader& table, Findings& findings) {
 } // namespace
 
 void need(const TableReader& table, std::string_view key, Findings& findings) {
-  if (!table.given(key) && findings.sound(table.path(library_key)))
+  if (!table.given(key) && findings.sound(table.path(key)) && findings.sound(table.path(library_key)))
     findings.add(table.path(key),
                  fmt::format("missing '{}': model = \"{}\" needs it", key, table.text("model")));
 }
 
-bool within(const TableReader& table, std::string_view key, const Range& range, std::string_view unit,
-            Findings& findings) {
-  const auto value = table.optional_number(key);
-  if (!value || range.contains(*value))
-    return true;
-  findings.add(table.path(key), fmt::format("'{}' = {} is out of range, must be {}{} with model = \"{}\"",
-                                            key, *value, range.text(), unit, table.text("model")));
-  return false;
+bool sound_numbers(const TableReader& table, SoilModel model, Findings& findings) {
+  bool sound = true;
+  for (const materials::Parameter& parameter : parameters_of(model)) {
+    if (parameter.needed())
+      need(table, parameter.name, findings);
+    if (const auto value = table.optional_number(parameter.name); value && !parameter.range.contains(*value))
+      findings.add(table.path(parameter.name),
+                   fmt::format("'{}' = {} is out of range, must be {}{}{} with model = \"{}\"",
+                               parameter.name, *value, parameter.range.text(),
+                               parameter.unit == "1" ? "" : " ", parameter.unit == "1" ? "" : parameter.unit,
+                               name(model)));
+    sound = sound && findings.sound(table.path(parameter.name));
+  }
+  return sound;
+}
+
+void read_fields(materials::Law& law, const TableReader& table) {
+  for (const auto& [text, value] : materials::fields(law))
+    *value = table.number(text.name) * materials::in_law(text);
 }
 
 Soil placeholder(const std::string& name) {
@@ -60,13 +66,8 @@ Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, d
     return placeholder(soil.name);
   using enum SoilModel;
   switch (*model) {
-  case linear_elastic:
-    return read_linear(soil, findings);
   case mohr_coulomb:
     return read_mohr_coulomb(soil, mesh_size, findings);
-  case drucker_prager:
-  case multi_yield_clay:
-    return read_plastic(soil, directory, findings);
   case hyperbolic:
   case mkz:
   case gqh:
@@ -74,8 +75,9 @@ Soil read_soil(const NamedTable& soil, const std::filesystem::path& directory, d
   case pm4sand:
   case pdmy03:
     return read_sand(soil, directory, findings);
+  default:
+    return read_plastic(soil, directory, findings);
   }
-  return placeholder(soil.name);
 }
 
 Soil read_soil_of_case(NamedTable& table, const Case& scene, Findings& findings) {

@@ -3,15 +3,14 @@
 // One soil from its table, the same in cases, soil tests and the library.
 
 #include "materials/hysteretic/backbone/curves.hpp"
+#include "materials/law/parameter.hpp"
 #include "scene/read/read.hpp"
 
 #include <filesystem>
-#include <numbers>
+#include <span>
+#include <string_view>
 
 namespace tremolo::scene {
-
-/// One degree in rad: a case file gives angles in degrees.
-inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// @param directory  that the name of a curve starts from
 /// @param mesh_size  cell size to which softening is scaled, m; 0 leaves it unscaled
@@ -28,17 +27,28 @@ Soil read_mohr_coulomb(const NamedTable& soil, double mesh_size, Findings& findi
 /// Reads a soil of PM4Sand or PDMY03.
 Soil read_sand(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
 
-/// Reads a soil of the Drucker-Prager law or the clay of nested surfaces.
+/// Reads soil of a law with a backbone.
 Soil read_hysteretic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
 
+/// Reads soil of a law that fields give, or the clay of nested surfaces.
 Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory, Findings& findings);
 
 /// Reports a key that this model needs and others do not.
 void need(const TableReader& table, std::string_view key, Findings& findings);
 
-/// Whether a number, where it is given, lies in the range that this model has; reports it otherwise.
-bool within(const TableReader& table, std::string_view key, const Range& range, std::string_view unit,
-            Findings& findings);
+/// Whether the numbers that the model's law takes are there and in its ranges; reports what is not.
+bool sound_numbers(const TableReader& table, SoilModel model, Findings& findings);
+
+/// Puts the numbers that a file gives into the fields of a law.
+void read_fields(materials::Law& law, const TableReader& table);
+
+/// Puts the numbers that a file gives into what a law is made from.
+template <class Input>
+void read_into(Input& input, std::span<const materials::InputField<Input>> fields, const TableReader& table) {
+  for (const auto& [text, member] : fields)
+    if (const auto number = table.optional_number(text.name))
+      member(input) = *number * materials::in_law(text);
+}
 
 /// Placeholder for a soil that cannot be read; its errors have been reported.
 Soil placeholder(const std::string& name);

@@ -34,9 +34,9 @@ TEST(HystereticParameters, OutsideTheirRangeAreRefused) {
     return refusal([=] { validate(Law(MasingShear{elastic, reference, beta, exponent})); });
   };
   EXPECT_EQ(masing(5e-4, 1.4, 0.8), "accepted");
-  EXPECT_EQ(masing(0.0, 1.0, 1.0), "reference_strain = 0 must be positive and finite");
-  EXPECT_EQ(masing(5e-4, -1.0, 1.0), "beta = -1 must be positive and finite");
-  EXPECT_EQ(masing(5e-4, 1.0, 1.2), "exponent = 1.2 is outside [0.1, 1]");
+  EXPECT_EQ(masing(0.0, 1.0, 1.0), "reference_strain = 0 is out of range, must be > 0");
+  EXPECT_EQ(masing(5e-4, -1.0, 1.0), "beta = -1 is out of range, must be > 0");
+  EXPECT_EQ(masing(5e-4, 1.0, 1.2), "exponent = 1.2 is out of range, must be in [0.1, 1]");
   EXPECT_THAT(masing(std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0),
               HasSubstr("reference_strain = nan"));
   const auto iwan = [](const IwanFit& fit) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@ namespace tremolo::materials {
 namespace {
 
 using testing::HasSubstr;
+
+constexpr double degree = std::numbers::pi / 180.0;
 
 MohrCoulomb good() {
   MohrCoulomb soil;
@@ -46,18 +49,23 @@ TEST(Parameters, AreRefusedWithNameValueAndRange) {
   EXPECT_THAT(refusal([](auto& s) { s.elastic.poisson = 0.5; }),
               HasSubstr("poisson = 0.5 is outside (-1, 0.5)"));
   EXPECT_THAT(refusal([](auto& s) { s.elastic.density = 0.0; }), HasSubstr("density = 0 must be positive"));
-  EXPECT_THAT(refusal([](auto& s) { s.cohesion_residual = 5e3; }), HasSubstr("cohesion_residual = 5000"));
-  EXPECT_THAT(refusal([](auto& s) { s.friction_peak = 45.0; }), HasSubstr("friction_peak = 45"));
-  EXPECT_THAT(refusal([](auto& s) { s.friction_residual = 0.9; }), HasSubstr("friction_residual = 0.9"));
-  EXPECT_THAT(refusal([](auto& s) { s.dilation_peak = 0.9; }), HasSubstr("dilation_peak = 0.9"));
-  EXPECT_THAT(refusal([](auto& s) { s.softening = -1.0; }), HasSubstr("softening = -1"));
-  EXPECT_THAT(refusal([](auto& s) { s.tension_cutoff = -1.0; }), HasSubstr("tension_cutoff = -1"));
+  EXPECT_THAT(refusal([](auto& s) { s.cohesion_residual = 5e3; }),
+              HasSubstr("cohesion_residual = 5000 Pa is above cohesion_peak = 4000 Pa"));
+  EXPECT_THAT(refusal([](auto& s) { s.friction_peak = 100.0 * degree; }),
+              HasSubstr("friction_peak_deg = 100 degrees is out of range, must be in [0, 89] degrees"));
+  EXPECT_THAT(refusal([](auto& s) { s.friction_residual = 50.0 * degree; }),
+              HasSubstr("friction_residual_deg = 50 degrees is above friction_peak_deg"));
+  EXPECT_THAT(refusal([](auto& s) { s.dilation_peak = 50.0 * degree; }),
+              HasSubstr("dilation_peak_deg = 50 degrees is above friction_peak_deg"));
+  EXPECT_THAT(refusal([](auto& s) { s.softening = -1.0; }),
+              HasSubstr("softening = -1 is out of range, must be >= 0"));
+  EXPECT_THAT(refusal([](auto& s) { s.tension_cutoff = -1.0; }), HasSubstr("tension_cutoff = -1 Pa"));
   EXPECT_THAT(refusal([](auto& s) { s.friction_residual = 0.0; }), HasSubstr("no strength"));
 }
 
 TEST(Parameters, NotANumberIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(refusal([=](auto& s) { s.cohesion_peak = nan; }), HasSubstr("cohesion_peak = nan"));
+  EXPECT_THAT(refusal([=](auto& s) { s.cohesion_peak = nan; }), HasSubstr("cohesion_peak = nan Pa"));
   EXPECT_THAT(refusal([=](auto& s) { s.softening = nan; }), HasSubstr("softening = nan"));
   EXPECT_THAT(refusal([=](auto& s) { s.elastic.young = nan; }), HasSubstr("young = nan"));
 }

@@ -5,7 +5,6 @@
 
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -65,18 +64,31 @@ TEST(Pm4Parameters, AreListedWithTheirOrigin) {
   given.h_o = 0.5;
   given.z_max = 3.0;
   const auto list = by_name(pm4sand(given));
-  const std::set<std::string_view> names = {"density",   "relative_density",
-                                            "G_o",       "h_po",
-                                            "p_A",       "e_max",
-                                            "e_min",     "n_b",
-                                            "n_d",       "phi_cv",
-                                            "poisson",   "Q",
-                                            "R",         "m",
-                                            "h_o",       "A_do",
-                                            "z_max",     "c_z",
-                                            "c_eps",     "C_GD",
-                                            "C_DR",      "C_kaf",
-                                            "F_sed_min", "p_sedo",
+  const std::set<std::string_view> names = {"density",
+                                            "relative_density",
+                                            "shear_modulus_coefficient",
+                                            "contraction_rate",
+                                            "atmospheric_pressure",
+                                            "e_max",
+                                            "e_min",
+                                            "n_b",
+                                            "n_d",
+                                            "phi_cv_deg",
+                                            "poisson",
+                                            "Q",
+                                            "R",
+                                            "m",
+                                            "h_o",
+                                            "A_do",
+                                            "z_max",
+                                            "c_z",
+                                            "c_eps",
+                                            "C_GD",
+                                            "C_DR",
+                                            "C_kaf",
+                                            "F_sed_min",
+                                            "p_sedo",
+                                            "tolerance",
                                             "post_shake"};
   EXPECT_EQ(list.size(), names.size());
   for (const std::string_view name : names) {
@@ -90,7 +102,8 @@ TEST(Pm4Parameters, AreListedWithTheirOrigin) {
   EXPECT_EQ(list.at("c_eps").origin, "default: 0.5 - 1.5 (D_R - 0.55) in [0.2, 0.5]");
   EXPECT_NE(list.at("A_do").origin.find("initial stress"), std::string::npos);
   EXPECT_EQ(list.at("p_sedo").unit, "Pa");
-  EXPECT_NEAR(list.at("phi_cv").value, 33.0 * std::numbers::pi / 180.0, 1e-15);
+  EXPECT_EQ(list.at("phi_cv_deg").unit, "degrees");
+  EXPECT_NEAR(list.at("phi_cv_deg").value, 33.0, 1e-12);
 }
 
 TEST(Pm4Parameters, OutsideTheirRangeAreRefused) {
@@ -100,6 +113,8 @@ TEST(Pm4Parameters, OutsideTheirRangeAreRefused) {
     EXPECT_THROW(pm4sand(wrong), std::invalid_argument);
   };
   refused([](Pm4SandInput& i) { i.density = 0.0; });
+  refused([](Pm4SandInput& i) { i.density.reset(); });
+  refused([](Pm4SandInput& i) { i.h_po.reset(); });
   refused([](Pm4SandInput& i) { i.relative_density = 55.0; }); // per cent
   refused([](Pm4SandInput& i) { i.relative_density = nan; });
   refused([](Pm4SandInput& i) { i.G_o = -1.0; });
@@ -116,7 +131,7 @@ TEST(Pm4Parameters, OutsideTheirRangeAreRefused) {
        {&Pm4SandInput::p_A, &Pm4SandInput::e_max, &Pm4SandInput::n_b, &Pm4SandInput::n_d, &Pm4SandInput::Q,
         &Pm4SandInput::R, &Pm4SandInput::m, &Pm4SandInput::h_o, &Pm4SandInput::c_z, &Pm4SandInput::c_eps,
         &Pm4SandInput::C_GD, &Pm4SandInput::C_DR, &Pm4SandInput::C_kaf, &Pm4SandInput::F_sed_min,
-        &Pm4SandInput::p_sedo}) {
+        &Pm4SandInput::p_sedo, &Pm4SandInput::tolerance}) {
     refused([member](Pm4SandInput& i) { i.*member = nan; });
   }
 }
@@ -130,7 +145,7 @@ TEST(Pm4Parameters, ReachTheLawsInterface) {
   EXPECT_TRUE(std::get<Pm4Sand>(after_shaking(law)).post_shake);
   const Law elastic = LinearElastic{elasticity(law)};
   EXPECT_TRUE(std::holds_alternative<LinearElastic>(after_shaking(elastic)));
-  EXPECT_EQ(parameters(law).size(), 25U);
+  EXPECT_EQ(parameters(law).size(), 26U);
 
   std::set<std::string_view> names;
   for (const StateVariable& variable : state_variables(law)) {
