@@ -1,4 +1,4 @@
-// Soil at rest under its weight for ten seconds on three levels whose cells meet in re-entrant corners, held
+// Soil at rest under its weight for seconds on three levels whose cells meet in re-entrant corners, held
 // by the tractions and dashpots of its faces.
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
@@ -28,14 +28,14 @@ Spec corners() {
   return spec;
 }
 
-TEST(HardCase12ReentrantCorners, ThreeLevelsWithReentrantCornersRestUnderGravity) {
+void expect_rest(double end) {
   Domain domain(corners());
   replace_constraints(domain, relax_under_gravity(domain, {}, [](long, double) {}));
   Stepper stepper(domain, 0.0, quiet_ground());
   double smallest_mass = 0.0;
   double smallest_weight = 0.0;
   double fastest = 0.0;
-  while (stepper.time() < 10.0) {
+  while (stepper.time() < end) {
     stepper.step();
     if (stepper.steps() % 64 != 0)
       continue;
@@ -51,6 +51,14 @@ TEST(HardCase12ReentrantCorners, ThreeLevelsWithReentrantCornersRestUnderGravity
   bounded("mass below zero of any node", -smallest_mass, 1e-12, "kg/m");
   bounded("weight below zero", -smallest_weight, 1e-14);
   bounded("largest speed", fastest, 1e-5, "m/s");
+}
+
+TEST(HardCase12ReentrantCorners, ThreeLevelsWithReentrantCornersRestUnderGravity) {
+  expect_rest(3.0);
+}
+
+TEST(HardCase12ReentrantCorners, AcceptanceRestForTenSeconds) {
+  expect_rest(10.0);
 }
 
 } // namespace

@@ -132,8 +132,14 @@ RunOut run_out(double h) {
   return out;
 }
 
+TEST(HardCase34SofteningRunOut, SofteningRunsOut) {
+  const RunOut out = run_out(0.5);
+  reaches("soil beyond the toe, cells of 0.5 m", out.area, 4.0, "m2");
+  reaches("tip beyond the toe, cells of 0.5 m", out.tip, 4.0, "m");
+}
+
 /// Compared is the soil that has run out, not its tip, a wedge thinner than a cell.
-TEST(HardCase34SofteningRunOut, SofteningRunsOutAlikeOnFineAndCoarseCells) {
+TEST(HardCase34SofteningRunOut, AcceptanceSofteningRunsOutAlikeOnFineAndCoarseCells) {
   const RunOut coarse = run_out(0.5);
   const RunOut fine = run_out(0.25);
   reaches("soil beyond the toe, cells of 0.25 m", fine.area, 4.0, "m2");

@@ -92,8 +92,8 @@ void expect_standing_wave(long steps) {
   bounded("highest energy over that at the start", energy.highest / energy.start, 1.02);
 }
 
-TEST(HardCase08StandingWave, StandingWaveForHalfAMillionSteps) {
-  expect_standing_wave(500000);
+TEST(HardCase08StandingWave, StandingWaveForTwoHundredThousandSteps) {
+  expect_standing_wave(200000);
 }
 
 TEST(HardCase08StandingWave, AcceptanceStandingWaveForAMillionSteps) {

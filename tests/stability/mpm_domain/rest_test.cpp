@@ -50,7 +50,7 @@ TEST(RestAfterSwitch, StrainSofteningSlope) {
   const double degree = std::numbers::pi / 180.0;
   mpm_domain::Spec spec;
   spec.box = {0.0, -20.0, 90.0, 10.0};
-  spec.cell_size = 0.5;
+  spec.cell_size = 1.0;
   spec.gravity = 9.81;
   spec.threads = 2;
   spec.soils = {{"sand", materials::MohrCoulomb{.elastic = {1700.0, 40e6, 0.28},

@@ -23,8 +23,8 @@ TEST(Memory, OfAWriterIsFlatInTheNumberOfFrames) {
   GTEST_SKIP() << "AddressSanitizer keeps what is freed";
 #endif
   constexpr std::size_t few = 50;
-  constexpr std::size_t many = 2000;
-  constexpr double most_growth = 8e6;
+  constexpr std::size_t many = 1000;
+  constexpr double most_growth = 4e6;
   const Folder folder;
   RunWriter run(folder / "run.h5", description);
   TimeSeries& toe = run.add_series("/monitors/toe", monitor_columns, monitor_units);

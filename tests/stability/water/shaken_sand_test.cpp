@@ -89,7 +89,7 @@ void expect_full_liquefaction(double end) {
 }
 
 TEST(HardCase24FullLiquefaction, FullLiquefaction) {
-  expect_full_liquefaction(8.0);
+  expect_full_liquefaction(5.0);
 }
 
 TEST(HardCase24FullLiquefaction, AcceptanceFifteenSecondsOfShaking) {
@@ -116,19 +116,19 @@ void expect_cavitation(double end) {
 }
 
 TEST(HardCase25Cavitation, DilationUntilWaterCavitates) {
-  expect_cavitation(4.0);
+  expect_cavitation(2.0);
 }
 
 TEST(HardCase25Cavitation, AcceptanceEightSecondsOfShaking) {
   expect_cavitation(8.0);
 }
 
-TEST(HardCase26DryCrust, DryCrustOverLiquefiedSand) {
+void expect_dry_crust(double end) {
   constexpr double acceleration = 0.2 * gravity;
   const auto domain = at_rest(sand_column(loose, -2.2, -90e3)); // the table within a cell
   Stepper stepper(*domain, 0.0, shaken_base(*domain, acceleration));
   double fastest = 0.0;
-  while (stepper.time() < 10.0) {
+  while (stepper.time() < end) {
     stepper.step();
     fastest = std::max(fastest, largest_wet(*domain, speed));
   }
@@ -140,6 +140,14 @@ TEST(HardCase26DryCrust, DryCrustOverLiquefiedSand) {
   reaches("largest r_u", largest_wet(*domain, ratio), 0.8);
   bounded("largest speed", fastest, 3.0 * acceleration / (std::numbers::pi * frequency) + 1.0, "m/s");
   bounded("energy", ledger_error(domain->energy), 0.02);
+}
+
+TEST(HardCase26DryCrust, DryCrustOverLiquefiedSand) {
+  expect_dry_crust(5.0);
+}
+
+TEST(HardCase26DryCrust, AcceptanceTenSecondsOfShaking) {
+  expect_dry_crust(10.0);
 }
 
 /// 100 kPa on 10 m of saturated elastic soil within half its period: it swings about the undrained

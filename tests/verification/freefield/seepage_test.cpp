@@ -21,7 +21,7 @@ TEST(Seepage, FallingHeadIsAnExponential) {
   settings.base_pressure = [&head](double) { return unit_weight * head; };
   TwoPhaseColumn column(profile, settings, at_rest);
   double begin = 0.0, head_then = 0.0;
-  for (const double time : {0.05, 20.0, 60.0, 150.0}) {
+  for (const double time : {0.05, 20.0, 60.0}) {
     while (column.time() < time - 0.5 * column.time_step()) {
       column.step();
       head -= area_ratio * column.flux().front() * column.time_step();

@@ -84,7 +84,7 @@ TEST(AcceptanceLongField, IsTheFieldBeyondTheCriticalAngle) {
   EXPECT_LT(difference({ground({}, 0.0), beyond, 0.0, shaking()}), 1e-8);
 }
 
-TEST(LongField, IsTheFieldInKjartanssonDamping) {
+TEST(AcceptanceLongField, IsTheFieldInKjartanssonDamping) {
   EXPECT_LT(difference({ground({DampingModel::kjartansson, 1.0}, 0.05), oblique, 0.0, shaking()}), 1e-7);
 }
 

@@ -33,7 +33,7 @@ TEST_P(RockingBlock, HasHousnersPeriodAndRestitution) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rigid, RockingBlock, testing::Values(false));
-INSTANTIATE_TEST_SUITE_P(Elastic, RockingBlock, testing::Values(true));
+INSTANTIATE_TEST_SUITE_P(AcceptanceElastic, RockingBlock, testing::Values(true));
 
 } // namespace
 } // namespace tremolo::mpm_domain

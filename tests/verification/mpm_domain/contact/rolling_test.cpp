@@ -57,7 +57,7 @@ Accelerations down_incline(double degrees, double friction, double h) {
           (scene.body().motion().spin - spin) / interval / exact_turning};
 }
 
-TEST(Cylinder, RollsDownAnIncline) {
+TEST(Cylinder, AcceptanceRollsDownAnIncline) {
   const Accelerations coarse = down_incline(20.0, 1.0, 0.2); // 10 cells across
   const Accelerations fine = down_incline(20.0, 1.0, 0.1);
   EXPECT_NEAR(fine.along, 1.0, 0.12);

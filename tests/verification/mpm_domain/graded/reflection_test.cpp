@@ -110,7 +110,7 @@ TEST_P(LevelInterfaceWithApic, ReflectsNoMoreThanTheImpedanceOfItsCells) {
 /// FLIP's particles take the change of velocity through weights that spread over two cells, and the grid's
 /// velocity through them again: that slows waves on coarse cells more than on fine ones, and the interface is
 /// steeper by it.
-TEST(LevelInterface, WithFlipReflectsTwiceAsMuch) {
+TEST(AcceptanceLevelInterface, WithFlipReflectsTwiceAsMuch) {
   const Reflection r = reflection(Transfer::flip, Body::sv, 10.0, false);
   EXPECT_LT(r.measured, 2.1 * r.closed);
   EXPECT_GT(r.measured, 1.5 * r.closed);

@@ -21,10 +21,10 @@ Spec taylor(double factor, double poisson = 0.495) {
 
 TEST(StrengthReduction, FindsTheFactorOfGriffithsAndLane) {
   std::vector<StrengthTrial> trials;
-  const auto found = factor_of_safety(spec_of(test::SandySlope{1.5, 1.0, 0.3}, 1.0), 0.02,
+  const auto found = factor_of_safety(spec_of(test::SandySlope{1.5, 1.0, 0.3}, 1.0), 0.04,
                                       [&](const StrengthTrial& trial) { trials.push_back(trial); });
   EXPECT_NEAR(*found.stands, test::griffiths_and_lane, 0.05 * test::griffiths_and_lane);
-  EXPECT_LE(*found.fails, 1.02 * *found.stands);
+  EXPECT_LE(*found.fails, 1.04 * *found.stands);
   EXPECT_GT(*found.fails, *found.stands);
   EXPECT_EQ(trials.front().factor, 1.0);
   for (const StrengthTrial& trial : trials)
@@ -36,11 +36,14 @@ TEST(AcceptanceStrengthReduction, FindsFactorsBelowOne) {
   EXPECT_NEAR(0.5 * (*found.stands + *found.fails), 0.7, 0.05 * 0.7);
 }
 
-/// A circle through the toe or below it: the crest goes down, the ground before the toe goes up or outwards,
-/// and what lies behind and below rests.
+/// One trial answers a floor. What fails is a circle through the toe or below it: the crest goes down, the
+/// ground before the toe goes up or outwards, and what lies behind and below rests.
 TEST(StrengthReduction, ShowsTheSoilThatFails) {
-  const auto found = try_factor(taylor(1.0, 0.3), 1.1, [](const StrengthTrial&) {});
-  ASSERT_TRUE(found.fails);
+  int trials = 0;
+  const auto found = try_factor(taylor(1.0, 0.3), 1.1, [&](const StrengthTrial&) { ++trials; });
+  EXPECT_EQ(trials, 1);
+  EXPECT_EQ(found.fails, 1.1);
+  EXPECT_FALSE(found.stands);
   double fastest = 0.0;
   double strained = 0.0;
   for (const MovingPoint& point : found.mechanism) {
@@ -101,13 +104,8 @@ TEST(StrengthReduction, SaysThatTheGroundFailsWithTenTimesItsStrength) {
 TEST(StrengthReduction, AnswersAFloorByOneTrial) {
   int trials = 0;
   const auto count = [&](const StrengthTrial&) { ++trials; };
-  const Spec slope = taylor(1.0, 0.3);
-  EXPECT_EQ(try_factor(slope, 0.9, count).stands, 0.9);
-  const auto found = try_factor(slope, 1.1, count);
-  EXPECT_EQ(found.fails, 1.1);
-  EXPECT_FALSE(found.stands);
-  EXPECT_FALSE(found.mechanism.empty());
-  EXPECT_EQ(trials, 2);
+  EXPECT_EQ(try_factor(taylor(1.0, 0.3), 0.9, count).stands, 0.9);
+  EXPECT_EQ(trials, 1);
 }
 
 } // namespace
