@@ -2,6 +2,7 @@
 
 #include "coupler/wire/frame.hpp"
 #include "tests/support/paths.hpp"
+#include "tests/support/repetitions.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -17,7 +18,7 @@
 namespace tremolo::coupler {
 namespace {
 
-constexpr int frames = 500'000; // in each of two tests
+constexpr int frames = tremolo::test_support::repetitions(500'000); // in each of two tests
 constexpr unsigned seed = 20261121;
 
 const FrameHeader header{.session = 77, .sender = 1, .field = 0, .step = 128, .steps = 2, .count = 20};

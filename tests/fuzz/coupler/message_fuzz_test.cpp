@@ -6,6 +6,7 @@
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/handshake/messages.hpp"
+#include "tests/support/repetitions.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text_mutator.hpp"
 
@@ -23,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned messages = 20'000;
-constexpr unsigned damages = 400;
+constexpr unsigned messages = tremolo::test_support::repetitions(20'000U);
+constexpr unsigned damages = tremolo::test_support::repetitions(200U);
 
 /// Deeper than any message.
 constexpr std::string_view deep = "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[";

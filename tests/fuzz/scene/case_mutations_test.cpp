@@ -7,6 +7,7 @@
 #include "scene/case.hpp"
 #include "scene/plan/plan.hpp"
 #include "tests/support/paths.hpp"
+#include "tests/support/repetitions.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -14,9 +15,9 @@
 namespace tremolo::scene {
 namespace {
 
-void expect_cases_or_errors(const std::filesystem::path& file, double least) {
+void expect_cases_or_errors(const std::filesystem::path& file, std::size_t rounds, double least) {
   testing::expect_read_or_refused(
-      file, 20240119, 2000,
+      file, 20240119, tremolo::test_support::repetitions(rounds),
       [&](const std::string& text) {
         const auto planned = plan(parse(text, "case.toml", file.parent_path()));
         EXPECT_TRUE(std::isfinite(planned.dt) && planned.dt > 0.0) << text;
@@ -27,14 +28,14 @@ void expect_cases_or_errors(const std::filesystem::path& file, double least) {
 class CaseFuzz : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CaseFuzz, MutationsAreReadOrRefused) {
-  expect_cases_or_errors(source_dir() + "/cases/" + GetParam() + "/case.toml", 0.05);
+  expect_cases_or_errors(source_dir() + "/cases/" + GetParam() + "/case.toml", 600, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, CaseFuzz, ::testing::Values("halfspace_box", "slope_oblique"));
 
 /// All keys of structures, and nothing that may change without harm.
 TEST(StructureFuzz, MutationsAreReadOrRefused) {
-  expect_cases_or_errors(source_dir() + "/tests/fuzz/scene/structures.toml", 0.005);
+  expect_cases_or_errors(source_dir() + "/tests/fuzz/scene/structures.toml", 2000, 0.005);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "scene/soil_test.hpp"
 #include "scene/soils/soil_report.hpp"
 #include "tests/support/paths.hpp"
+#include "tests/support/repetitions.hpp"
 
 namespace tremolo::scene {
 namespace {
@@ -25,10 +26,11 @@ class SoilTestFuzz : public ::testing::TestWithParam<Shipped> {};
 TEST_P(SoilTestFuzz, MutationsAreReadOrRefused) {
   const std::string folder = source_dir() + "/cases/soiltests";
   const std::string path = folder + "/" + GetParam().name + ".toml";
-  testing::expect_read_or_refused(path, 20261121, 1000, [&](const std::string& text) {
-    const auto file = parse_soil_test(text, "test.toml", folder, GetParam().use);
-    EXPECT_FALSE(scene::text(parameters_in_force(file.soil, "soil", file.values)).empty()) << text;
-  });
+  testing::expect_read_or_refused(
+      path, 20261121, tremolo::test_support::repetitions(std::size_t{1000}), [&](const std::string& text) {
+        const auto file = parse_soil_test(text, "test.toml", folder, GetParam().use);
+        EXPECT_FALSE(scene::text(parameters_in_force(file.soil, "soil", file.values)).empty()) << text;
+      });
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, SoilTestFuzz,

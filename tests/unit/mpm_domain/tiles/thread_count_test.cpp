@@ -24,8 +24,8 @@ using test_support::yield;
 // What AddressSanitizer and ThreadSanitizer look for shows in a few steps, which take them twenty times as
 // long.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int fewer_steps = 4; // times
-constexpr std::array thread_counts = {3, 16};
+constexpr int fewer_steps = 10; // times
+constexpr std::array thread_counts = {16};
 #else
 constexpr int fewer_steps = 1;
 constexpr std::array thread_counts = {2, 3, 8, 16};
