@@ -30,7 +30,7 @@ class Leap(unittest.TestCase):
         np.testing.assert_allclose(means(time, pressure, 16.0), MEASURED[16.0], atol=2.0)  # kPa, of the sensors
         self.assertLess(largest_miss(time, pressure), 0.2)
 
-    def test_without_a_rest_it_is_gone_too_soon(self):
+    def test_acceptance_without_a_rest_it_is_gone_too_soon(self):
         time, pressure, _ = self.column(VARIANTS["coarse"][1], VARIANTS["no_rest"][1])
         self.assertLess(means(time, pressure, 94.0).max(), 0.5)
 

@@ -63,9 +63,15 @@ class FlatDomain(unittest.TestCase):
             np.testing.assert_array_equal(ours[place], lockstep[place])
 
     def test_ground_that_yields_moves_alike_along_x(self):
+        self.yields_alike("blended")
+
+    def test_acceptance_ground_that_yields_moves_alike_above_other_bases(self):
+        for form in ("total", "incident"):
+            self.yields_alike(form)
+
+    def yields_alike(self, form):
         """Yielding keeps the surface below 0.7 m/s."""
-        for form in ("total", "incident", "blended"):
-            self.assertLess(self.alike(0.02, 0.05, ground=PLASTIC, velocity=0.4, form=form), 0.7, form)
+        self.assertLess(self.alike(0.02, 0.05, ground=PLASTIC, velocity=0.4, form=form), 0.7, form)
 
     def test_undrained_ground_that_yields_moves_alike_along_x(self):
         """Measured: 0.9 % and 5.1 %, between dashpots alone 0.8 % and 4.7 %. Yielding keeps the surface below 0.5 m/s."""

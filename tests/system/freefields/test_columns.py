@@ -309,14 +309,16 @@ class Refusals(unittest.TestCase):
         self.refused("wave", '"rayleigh" is known to "wave" at vertical incidence only', ground=rayleigh, angle=15.0)
         self.refused("wave", '"rayleigh" is known to "wave" under incident and outcrop motions only', ground=rayleigh,
                      motion='\nkind = "within"')
-        # Particles have both of its parts, as `wave` has.
+        hysteretic = DAMPED.replace("kelvin_voigt", "hysteretic").replace("reference_hz = 2.0", "")
+        for model in ("fe", "ode"):
+            self.refused(model, "missing 'reference_hz'", ground=hysteretic)
+
+    def test_acceptance_particles_have_both_parts_of_rayleigh_damping(self):
+        rayleigh = DAMPED.replace("kelvin_voigt", "rayleigh").replace("reference_hz = 2.0", "frequencies = [1.0, 4.0]")
         mesh = "\n[mesh]\nbox = [0.0, -20.0, 2.0, 0.0]\nsize = 0.5\n"
         with ColumnWorkspace(TREMOLO, ground=rayleigh + mesh, motion=PULSE.format(0.01), size=1.0) as work:
             exact, particles = (work.histories(name, "--depths", "0", "--duration", "3")[0] for name in ("wave", "mpm"))
             self.assertLess(np.linalg.norm(particles["vx"] - exact["vx"]), 0.01 * np.linalg.norm(exact["vx"]))
-        hysteretic = DAMPED.replace("kelvin_voigt", "hysteretic").replace("reference_hz = 2.0", "")
-        for model in ("fe", "ode"):
-            self.refused(model, "missing 'reference_hz'", ground=hysteretic)
 
 
 if __name__ == "__main__":

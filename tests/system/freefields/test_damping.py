@@ -18,8 +18,6 @@ from tremolo import Run, column
 
 PROFILE = '\n[[profile]]\nthickness = 10.0\nsoil = "box"\n\n[fe]\nelement_size = 0.25\n'
 FREQUENCIES = {"kelvin_voigt": "reference_hz = 3.0", "constant": "reference_hz = 3.0", "rayleigh": "frequencies = [2.0, 4.5]"}
-MODELS = ("wave", "fe", "mpm")
-DAMPED = (*product(MODELS, ("kelvin_voigt", "constant")), ("fe", "rayleigh"))
 
 
 def to_column(monitor, history):
@@ -33,10 +31,12 @@ class Damping(unittest.TestCase):
     the free field. All that errs are the sides and the base; a narrow domain says as much as a wide one."""
 
     WIDTH = 6.0  # m
+    DAMPED = tuple(product(("fe",), FREQUENCIES))  # models and their dampings
 
     @classmethod
     def setUpClass(cls):
-        cls.runs = {(name, damped): cls.measured(name, damped) for name, damped in (*product(MODELS, (None,)), *DAMPED)}
+        undamped = product(dict(cls.DAMPED), (None,))
+        cls.runs = {(name, damped): cls.measured(name, damped) for name, damped in (*undamped, *cls.DAMPED)}
 
     @classmethod
     def measured(cls, name, damped):
@@ -59,27 +59,31 @@ class Damping(unittest.TestCase):
                     "residual": abs(energy["residual"]).max() / energy["input"].max()}
 
     def test_damping_is_on(self):
-        for damped in FREQUENCIES:
-            self.assertLess(self.runs["fe", damped]["velocity"], 0.92 * self.runs["fe", None]["velocity"])
-            self.assertGreater(self.runs["fe", damped]["viscous"], 0.0)
-        self.assertEqual(0.0, self.runs["fe", None]["viscous"])
+        for name, damped in self.DAMPED:
+            self.assertLess(self.runs[name, damped]["velocity"], 0.92 * self.runs[name, None]["velocity"])
+            self.assertGreater(self.runs[name, damped]["viscous"], 0.0)
+            self.assertEqual(0.0, self.runs[name, None]["viscous"])
 
     def test_a_damped_domain_is_as_even_as_an_undamped_one(self):
         """Measured, undamped, viscous, constant: 0.24, 0.23, 0.22 % (wave), 0.26, 0.25, 0.25 % (fe), 0.06, 0.05, 0.05 % (mpm)."""
-        for name, damped in DAMPED:
+        for name, damped in self.DAMPED:
             self.assertLess(self.runs[name, damped]["uneven"], 1.1 * self.runs[name, None]["uneven"], (name, damped))
 
     def test_a_damped_domain_does_what_the_exact_column_does(self):
         """Measured, undamped, viscous, constant: 0.09, 0.07, 0.10 % (wave), 0.12, 0.09, 0.12 % (fe), 0.18, 0.13, 0.14 % (mpm);
         peaks within 0.1 %."""
-        for name, damped in DAMPED:
+        for name, damped in self.DAMPED:
             self.assertLess(self.runs[name, damped]["to_column"], 1.1 * self.runs[name, None]["to_column"], (name, damped))
             self.assertAlmostEqual(1.0, self.runs[name, damped]["peak"], delta=0.005, msg=(name, damped))
 
     def test_the_ledger_closes(self):
         """Measured: 4e-4 of the work of the boundary undamped, 7e-5 with viscous damping in shorter steps, 3.8e-4 with constant."""
-        for name, damped in DAMPED:
+        for name, damped in self.DAMPED:
             self.assertLess(self.runs[name, damped]["residual"], self.runs[name, None]["residual"], (name, damped))
+
+
+class AcceptanceDamping(Damping):
+    DAMPED = tuple(product(("wave", "mpm"), ("kelvin_voigt", "constant")))
 
 
 class AtAnAngle(unittest.TestCase):

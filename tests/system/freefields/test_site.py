@@ -76,7 +76,7 @@ class OneLayer(unittest.TestCase):
     def setUpClass(cls):
         work = ColumnWorkspace(TREMOLO, ground=LAYER, motion=PULSE.format(1e-3), size=0.25)
         cls.addClassCleanup(work.__exit__)
-        cls.result = work.command("column", work.case, "--models", "wave,fe,ode", "--out", work.path / "out", "--duration", "12")
+        cls.result = work.command("column", work.case, "--models", "wave,fe,ode", "--out", work.path / "out", "--duration", "6")
         assert cls.result.returncode == 0, cls.result.stdout + cls.result.stderr
         cls.work, cls.folder = work, work.path / "out"
         cls.site = Site(cls.folder)
@@ -92,7 +92,7 @@ class OneLayer(unittest.TestCase):
         self.assertEqual("mine", (again / "site.json").read_text())
 
     def test_raw_amplification_is_the_closed_form(self):
-        """Elements of 0.25 m err by (w h/c)^2/24 of a wavelength, and the ground rings for 12 s."""
+        """Elements of 0.25 m err by (w h/c)^2/24 of a wavelength, and the ground rings for 6 s."""
         for name, tolerance in (("wave", 1e-3), ("fe", 1e-2), ("ode", 1e-2)):
             frequency, ratio = amplification.raw(self.site.models[name], "outcrop")
             band = (frequency > 0.8) & (frequency < 7.5)  # where the pulse has more than a fiftieth of its peak

@@ -109,7 +109,7 @@ class Swap(Swapped):
 
     def test_ground_below_a_water_table_says_its_pore_pressure(self):
         """Between its own cells and finite elements the domain liquefies alike: r_u 0.005 apart (rms), of 0.38 in the mean."""
-        with BoxWorkspace(TREMOLO, ground=WET_SAND, halfspace=STIFF, frequency=2.0, peak_time=0.8, duration=2.0) as work:
+        with BoxWorkspace(TREMOLO, ground=WET_SAND, halfspace=STIFF, frequency=2.0, peak_time=0.6, duration=1.2) as work:
             text = work.case.read_text()
             for old, new in (("size = 0.5", "size = 1.0"), ("20.0, 0.0]", "4.0, 0.0]"), ("point = [10.0", "point = [2.0"),
                              ("point = [5.0", "point = [2.0"),
@@ -180,7 +180,7 @@ iterations = 1
         self.assertNotEqual(0, result.returncode)
         self.assertIn("'fe' is named twice", result.stderr)
 
-    def test_the_picture_of_a_p_wave(self):
+    def test_acceptance_the_picture_of_a_p_wave(self):
         """Its vertical motion is drawn, not its horizontal one."""
         with BoxWorkspace(TREMOLO, duration=0.5) as work:
             work.case.write_text(work.case.read_text().replace('wave = "SV"', 'wave = "P"'))

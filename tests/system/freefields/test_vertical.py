@@ -88,6 +88,9 @@ class Columns(unittest.TestCase):
             self.assertAlmostEqual(measures["pga"][row], np.abs(surface["ay"]).max(), delta=1e-6 * measures["pga"][row])
             spectra = run.table("/spectra")
             self.assertAlmostEqual(spectra["surface_vertical"][0], measures["pga"][row], delta=0.05 * measures["pga"][row])
+
+    def test_acceptance_the_tables_of_a_site_have_both_components(self):
+        with ColumnWorkspace(TREMOLO, ground=DAMPED + vertical(P, 0.0), motion=SV + '\nkind = "outcrop"', size=1.0) as work:
             result = work.command("column", work.case, "--models", "fe,wave", "--out", "site")
             self.assertEqual(0, result.returncode, result.stderr)
             names = (work.path / "site" / "tables" / "spectra.csv").read_text().split("\n")[0].split(",")
@@ -116,10 +119,10 @@ class Domain(unittest.TestCase):
         """Each face takes the sum of two fields, each with a delay of its own; between springs, dashpots and a total base."""
         self.assert_sum(15.0, 25.0, duration=1.1)
 
-    def test_an_incident_base(self):
+    def test_acceptance_an_incident_base(self):
         self.assert_sum(20.0, 10.0, duration=1.1, base=model("wave", form="incident"))
 
-    def test_columns_beside_it(self):
+    def test_acceptance_columns_beside_it(self):
         self.assert_sum(0.0, 0.0, duration=1.1, left=model("fe"), right=model("fe"), base=model("fe"))
 
     def test_the_exact_field_is_that_of_both(self):

@@ -126,8 +126,16 @@ class Liquefying(unittest.TestCase):
         for name in ("out.png", "out_water.png"):
             self.assertGreater((self.work.path / name).stat().st_size, 20000, name)
 
+    def test_particles_need_the_cells_of_a_domain(self):
+        text = self.work.case.read_text()
+        self.work.case.write_text(text.replace(CELLS, ""))
+        result = self.column("mpm", "none.h5")
+        self.work.case.write_text(text)
+        self.assertNotEqual(0, result.returncode)
+        self.assertIn("missing [mesh]: model = \"mpm\" is a column of its cells", result.stderr)
 
-class LiquefyingParticles(Liquefying):
+
+class AcceptanceLiquefyingParticles(Liquefying):
     """The same of the domain's own cells, and beside the finite elements, which share nothing with them but the soil."""
 
     model = "mpm"
@@ -148,14 +156,6 @@ class LiquefyingParticles(Liquefying):
                 ux, expected_ux = history["ux"], reference["ux"]
                 self.assertLess(np.linalg.norm(ux - expected_ux), 0.1 * np.linalg.norm(expected_ux), level)
         self.assertLess(abs(down["settlement"][-1] - expected["settlement"][-1]), 0.05 * expected["settlement"][-1])
-
-    def test_needs_the_cells_of_a_domain(self):
-        text = self.work.case.read_text()
-        self.work.case.write_text(text.replace(CELLS, ""))
-        result = self.column("mpm", "none.h5")
-        self.work.case.write_text(text)
-        self.assertNotEqual(0, result.returncode)
-        self.assertIn("missing [mesh]: model = \"mpm\" is a column of its cells", result.stderr)
 
 
 class TotalStress(unittest.TestCase):

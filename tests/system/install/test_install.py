@@ -118,7 +118,7 @@ class Install(unittest.TestCase):
         run("cmake", "--build", build)
         self.assertEqual(run(build / "consumer").strip(), "peak 0.200000 m/s")
 
-    def test_the_domain_runs_in_a_program_of_ones_own(self):
+    def test_acceptance_the_domain_runs_in_a_program_of_ones_own(self):
         example = CONSUMER.parents[3] / "docs/examples/domain_alone"
         build = Path(self.folder.name) / "domain_alone"
         run("cmake", "-S", example, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release",

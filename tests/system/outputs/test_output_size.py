@@ -38,7 +38,7 @@ class OutputSize(unittest.TestCase):
         self.assertGreater(written, share * most)
 
     def test_of_many_small_frames(self):
-        with Workspace(TREMOLO, duration=5.0, size=2.5, every=0.01) as work:
+        with Workspace(TREMOLO, duration=2.0, size=2.5, every=0.01) as work:
             self.expect_bound(changed(work, ("history_every_s = 0.005", "history_every_s = 1.0")), 0.6)
 
     def test_of_long_histories(self):
@@ -52,7 +52,7 @@ class OutputSize(unittest.TestCase):
 
     def test_of_structures_rigid_and_elastic(self):
         for kind in ("rigid = true", "young = 500e6\npoisson = 0.2"):
-            with self.subTest(kind), BlockWorkspace(TREMOLO, kind=kind) as work:
+            with self.subTest(kind), BlockWorkspace(TREMOLO, kind=kind, duration=0.5) as work:
                 self.expect_bound(changed(work, ("every_s = 0.1\n", "every_s = 0.01\n")), 0.3)
 
     def test_of_linings(self):

@@ -105,7 +105,7 @@ class Joined(unittest.TestCase):
     def test_structure_and_anchor(self):
         self.give_the_bits_of_one(WideAnchored(TREMOLO, duration=0.7))
 
-    def test_levels(self):
+    def test_acceptance_levels(self):
         self.give_the_bits_of_one(refine(SlopeWorkspace(TREMOLO, duration=0.5), *SLOPE_BOXES))
 
 

@@ -3,6 +3,9 @@
     usage: test_import.py TREMOLO SOURCE_DIR
 """
 
+import contextlib
+import functools
+import shutil
 import sys
 import unittest
 from pathlib import Path
@@ -18,15 +21,30 @@ RIGHT = {"--velocity-unit": "m/s", "--stress-unit": "Pa", "--stress-sign": "tens
          "--vertical-positive": "up"}
 
 
-def flat(**changes):
-    """A flat elastic box under a vertical SV pulse, by plane waves."""
-    return record(BoxWorkspace(TREMOLO, **{"left": model("wave"), "right": model("wave"), "base": model("wave"),
-                                           "duration": 1.3, **changes}))
+@functools.cache
+def box():
+    """A flat elastic box under a vertical SV pulse, by plane waves, and its run."""
+    work = record(BoxWorkspace(TREMOLO, left=model("wave"), right=model("wave"), base=model("wave"), duration=1.3))
+    unittest.addModuleCleanup(work.__exit__)
+    return work, work.case.read_text(), work.run("live")
+
+
+@contextlib.contextmanager
+def flat():
+    """The box as it is; what a test makes of it goes."""
+    work, text, _ = box()
+    work.case.write_text(text)
+    try:
+        yield work
+    finally:
+        for made in ("field.csv", "field.h5"):
+            (work.path / made).unlink(missing_ok=True)
+        shutil.rmtree(work.path / "from_import", ignore_errors=True)
 
 
 def exported(work):
     """The free field of the direct run: times, levels, values [times, levels, 5]; and the run."""
-    live = work.run("live")
+    _, _, live = box()
     result = work.command("export", f"{live}:left", "field.csv")
     assert result.returncode == 0, result.stderr
     table = np.loadtxt(work.path / "field.csv", delimiter=",", skiprows=1)

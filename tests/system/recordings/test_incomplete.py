@@ -187,7 +187,7 @@ class Damaged(unittest.TestCase):
                     found = [dataset.get_chunk_info(i) for i in range(dataset.get_num_chunks())]
                     chunks += [(chunk.byte_offset, chunk.size) for chunk in found]
             damaged = work.path / "exchange.h5"
-            for trial in range(60):
+            for trial in range(20):
                 content = bytearray(recording)
                 offset, size = generator.choice(chunks)
                 at = offset + generator.randrange(size)

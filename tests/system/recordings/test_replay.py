@@ -4,6 +4,7 @@
 """
 
 import csv
+import shutil
 import struct
 import sys
 import unittest
@@ -36,9 +37,9 @@ class ReplayCase(unittest.TestCase):
 
 
 class Replay(ReplayCase):
-    def test_each_of_three_models_in_turn_and_all_give_the_same_bits(self):
+    def test_each_of_three_models_gives_the_same_bits(self):
         with record(BoxWorkspace(TREMOLO, **MIXED)) as work:
-            live = self.replays(work, [":left", ":right", ":base", ":left+:base", ""])
+            live = self.replays(work, [":right", ":left+:base"])
             with h5py.File(live / "exchange.h5") as file:
                 self.assertEqual({"left", "right", "base"}, set(file["sources"]))
 
@@ -101,6 +102,10 @@ class Replay(ReplayCase):
 
 
 class AcceptanceOtherModels(ReplayCase):
+    def test_three_models_in_turn_and_all(self):
+        with record(BoxWorkspace(TREMOLO, **MIXED)) as work:
+            self.replays(work, [":left", ":base", ""])
+
     def test_oblique_waves_of_one_source_are_served_to_one_side_and_to_all(self):
         with record(BoxWorkspace(TREMOLO, **WAVES)) as work:
             self.replays(work, [":left", ":right", ":base", ""])
@@ -115,14 +120,22 @@ class AcceptanceOtherModels(ReplayCase):
 
 
 class OtherCases(unittest.TestCase):
-    def refusal(self, work, live, *changes, side=""):
-        case = work.case.read_text()
+    @classmethod
+    def setUpClass(cls):
+        cls.work = cls.enterClassContext(record(BoxWorkspace(TREMOLO, **MIXED, duration=0.4)))
+        cls.live, cls.text = cls.work.run("live"), cls.work.case.read_text()
+
+    def setUp(self):
+        self.work.case.write_text(self.text)
+
+    def refusal(self, *changes, side=""):
+        work, case = self.work, self.text
         for old, new in changes:
             self.assertIn(old, case)
             case = case.replace(old, new)
         other = work.path / "other.toml"
         other.write_text(case)
-        result = work.command("run", other, "--replay", f"{live}{side}", "--out", work.path / "refused")
+        result = work.command("run", other, "--replay", f"{self.live}{side}", "--out", work.path / "refused")
         self.assertEqual(1, result.returncode, result.stdout + result.stderr)
         for part in (work.path / "refused").rglob("*"):
             if part.is_file():
@@ -131,55 +144,47 @@ class OtherCases(unittest.TestCase):
         return result.stderr
 
     def test_what_differs_is_said_with_both_values(self):
-        with record(BoxWorkspace(TREMOLO, **MIXED, duration=0.4)) as work:
-            live = work.run("live")
-            angle = self.refusal(work, live, ("velocity = 0.1", "velocity = 0.2"))
-            self.assertIn("motion.pulse.velocity is 0.1 in the recording, 0.2 in the case", angle)
-            mesh = self.refusal(work, live, ("size = 0.5", "size = 1.0"), side=":base")
-            self.assertIn("mesh.size is 0.5 in the recording, 1 in the case", mesh)
-            ground = self.refusal(work, live, ("[surface]\nlevel = 0.0\n\n[halfspace]\ndensity = 1700.0",
-                                               "[surface]\nlevel = 0.0\n\n[halfspace]\ndensity = 1750.0"), side=":right")
-            self.assertIn("halfspace.density is 1700 in the recording, 1750 in the case", ground)
-            numerics = self.refusal(work, live, ("[mesh]", "[fe]\nelement_size = 0.125\n\n[mesh]"), side=":left")
-            self.assertRegex(numerics, r"fe\.element_size is not given in the recording, 0\.125 in the case")
+        angle = self.refusal(("velocity = 0.1", "velocity = 0.2"))
+        self.assertIn("motion.pulse.velocity is 0.1 in the recording, 0.2 in the case", angle)
+        mesh = self.refusal(("size = 0.5", "size = 1.0"), side=":base")
+        self.assertIn("mesh.size is 0.5 in the recording, 1 in the case", mesh)
+        ground = self.refusal(("[surface]\nlevel = 0.0\n\n[halfspace]\ndensity = 1700.0",
+                               "[surface]\nlevel = 0.0\n\n[halfspace]\ndensity = 1750.0"), side=":right")
+        self.assertIn("halfspace.density is 1700 in the recording, 1750 in the case", ground)
+        numerics = self.refusal(("[mesh]", "[fe]\nelement_size = 0.125\n\n[mesh]"), side=":left")
+        self.assertRegex(numerics, r"fe\.element_size is not given in the recording, 0\.125 in the case")
 
     def test_numerics_of_a_model_that_did_not_compute_the_side_do_not_matter(self):
-        with record(BoxWorkspace(TREMOLO, **MIXED, duration=0.4)) as work:
-            live = work.run("live")
-            case = work.case.read_text()
-            work.case.write_text(case.replace("[mesh]", "[ode]\ncell_size = 0.2\n\n[mesh]"))
-            self.assertEqual("complete", text(h5py.File(work.run("other", "--replay", f"{live}:left") / "run.h5").attrs["status"]))
+        self.work.case.write_text(self.text.replace("[mesh]", "[ode]\ncell_size = 0.2\n\n[mesh]"))
+        other = self.work.run("other", "--replay", f"{self.live}:left")
+        self.assertEqual("complete", text(h5py.File(other / "run.h5").attrs["status"]))
 
     def test_another_domain_on_the_same_free_field_is_welcome(self):
-        with record(BoxWorkspace(TREMOLO, **MIXED, duration=0.4)) as work:
-            live = work.run("live")
-            work.case.write_text(work.case.read_text().replace("[mesh]", '[time]\ntransfer = "flip"\n\n[mesh]'))
-            flip = work.run("flip", "--replay", live)
-            self.assertNotEqual([], differences(flip, live))
+        self.work.case.write_text(self.text.replace("[mesh]", '[time]\ntransfer = "flip"\n\n[mesh]'))
+        flip = self.work.run("flip", "--replay", self.live)
+        self.assertNotEqual([], differences(flip, self.live))
 
     def test_a_longer_run_is_refused_with_both_ranges(self):
-        with record(BoxWorkspace(TREMOLO, **MIXED, duration=0.4)) as work:
-            live = work.run("live")
-            self.assertRegex(self.refusal(work, live, ("duration_s = 0.4", "duration_s = 0.7")),
-                             r"field 'total' is recorded from .* but the case asks for it from .* to 0\.7 s")
+        self.assertRegex(self.refusal(("duration_s = 0.4", "duration_s = 0.7")),
+                         r"field 'total' is recorded from .* but the case asks for it from .* to 0\.7 s")
 
     def test_a_newer_schema_and_other_files_are_refused(self):
-        with record(BoxWorkspace(TREMOLO, **MIXED, duration=0.4)) as work:
-            live = work.run("live")
-            with h5py.File(live / "exchange.h5", "r+") as file:
-                file.attrs["schema_version"] = np.bytes_("2.0")
-            result = work.command("run", work.case, "--replay", live, "--out", work.path / "refused")
-            self.assertIn("schema version 2.0 cannot be read by this build, which knows 1.0", result.stderr)
-            with h5py.File(live / "exchange.h5", "r+") as file:
-                file.attrs["content"] = np.bytes_("free field")
-            result = work.command("run", work.case, "--replay", live, "--out", work.path / "refused")
-            self.assertIn("is no recording of an exchange", result.stderr)
-            missing = work.command("run", work.case, "--replay", work.path / "none:left", "--out", work.path / "refused")
-            self.assertIn("none: there is no such run or recording", missing.stderr)
-            (work.path / "none").mkdir()
-            missing = work.command("run", work.case, "--replay", work.path / "none:left", "--out", work.path / "refused")
-            self.assertRegex(missing.stderr, r"holds no exchange\.h5; a run writes it where its case has \[record\] exchange = true")
-            self.assertFalse((work.path / "refused").exists())
+        work, live = self.work, self.work.path / "newer"
+        shutil.copytree(self.live, live)
+        with h5py.File(live / "exchange.h5", "r+") as file:
+            file.attrs["schema_version"] = np.bytes_("2.0")
+        result = work.command("run", work.case, "--replay", live, "--out", work.path / "unread")
+        self.assertIn("schema version 2.0 cannot be read by this build, which knows 1.0", result.stderr)
+        with h5py.File(live / "exchange.h5", "r+") as file:
+            file.attrs["content"] = np.bytes_("free field")
+        result = work.command("run", work.case, "--replay", live, "--out", work.path / "unread")
+        self.assertIn("is no recording of an exchange", result.stderr)
+        missing = work.command("run", work.case, "--replay", work.path / "none:left", "--out", work.path / "unread")
+        self.assertIn("none: there is no such run or recording", missing.stderr)
+        (work.path / "none").mkdir()
+        missing = work.command("run", work.case, "--replay", work.path / "none:left", "--out", work.path / "unread")
+        self.assertRegex(missing.stderr, r"holds no exchange\.h5; a run writes it where its case has \[record\] exchange = true")
+        self.assertFalse((work.path / "unread").exists())
 
 
 class Export(unittest.TestCase):

@@ -17,8 +17,14 @@ from tremolo.report import checklist
 
 
 class Checklist(unittest.TestCase):
-    def test_every_command_works(self):
-        with RestWorkspace(TREMOLO, shaking=0.3) as work:
+    def test_commands_work(self):
+        self.type_commands(2)
+
+    def test_acceptance_every_command_works(self):
+        self.type_commands(3)
+
+    def type_commands(self, count):
+        with RestWorkspace(TREMOLO, shaking=0.1) as work:
             work.case.write_text(work.case.read_text().replace("[output]\n", '[output]\nfields = ["stress"]\n'))
             folder = work.run("run")
             done = work.command("report", folder)
@@ -28,7 +34,7 @@ class Checklist(unittest.TestCase):
                 rows = checklist.checklist(run).rows
             commands = [row[-1] for row in rows if row[-1].startswith("tremolo ")]
             self.assertEqual(["soiltest", "sweep", "sweep"], [command.split()[1] for command in commands])
-            for command in commands:
+            for command in commands[:count]:
                 self.assertIn(command, page)
                 typed = subprocess.run([TREMOLO, *command.split()[1:]], cwd=folder, capture_output=True, text=True, timeout=200)
                 self.assertEqual(0, typed.returncode, f"{command}\n{typed.stdout}{typed.stderr}")

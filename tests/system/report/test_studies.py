@@ -85,7 +85,7 @@ class Studies(Pages):
         # Depth grows downwards, as in the picture.
         self.assertTrue(page.run("const r = document.querySelector('[data-chart=\"study-0-0-2\"]')._fullLayout.yaxis.range; return r[0] > r[1]"))
 
-    def test_swap_and_ladder_below_each_other(self):
+    def test_acceptance_swap_and_ladder_below_each_other(self):
         done("swap", work.case, "--models", "wave,fe", "--out", work.path / "swapped")
         done("cost", work.case, "--knob", "mesh.size=2,1", "--out", work.path / "ladder")
         opened(work.path / "swapped", work.path / "ladder", out=work.path / "both.html")

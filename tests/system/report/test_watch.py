@@ -34,12 +34,12 @@ def got(address, method="GET"):
 
 
 class WatchedRun(unittest.TestCase):
-    """A run that is watched while it goes on."""
+    """A run that is watched while it goes on: minutes, were it not aborted."""
+
+    EVERY = 80.0  # s; at most 50 frames: a report shows all of them
 
     def setUp(self):
-        # Minutes, were it not aborted.
-        # At most 50 frames: a report shows all of them.
-        self.work = Workspace(TREMOLO, duration=4000.0, every=80.0)
+        self.work = Workspace(TREMOLO, duration=4000.0, every=self.EVERY)
         self.work.case.write_text(self.work.case.read_text().replace("history_every_s = 0.005", "history_every_s = 0.5"))
         self.addCleanup(self.work.__exit__)
         self.run_ = self.start("run", self.work.case, "--out", self.work.path / "long")
@@ -101,6 +101,8 @@ class AcceptancePage(WatchedRun):
 
 
 class Watch(WatchedRun):
+    EVERY = 8.0  # s; the first page is there sooner
+
     def test_ends_with_its_command_and_then_says_so_on_the_page(self):
         while "progress" not in got(self.address):
             time.sleep(0.5)

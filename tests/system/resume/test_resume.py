@@ -82,15 +82,6 @@ class Resume(ResumeCase):
         with with_checkpoints(FlatWorkspace(TREMOLO, ground=UNDRAINED, water=WATER, velocity=0.3, duration=0.7), every_steps=500) as work:
             self.broken_and_resumed(work)
 
-    def test_a_slope_whose_particles_are_cut_on_three_levels(self):
-        slope = refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES)
-        slope.case.write_text(slope.case.read_text() + LINE_AND_MASS)
-        with with_checkpoints(slope, every_steps=150) as work:
-            whole = self.broken_and_resumed(work)
-            with h5py.File(whole / "run.h5") as file:
-                counts = [len(frame["position"]) for frame in file["frames"].values()]
-            self.assertGreater(counts[-1], counts[0], "nothing was cut")
-
     def test_a_set_that_is_not_complete_does_not_count(self):
         with with_checkpoints(BoxWorkspace(TREMOLO, **MIXED, duration=1.0), every_steps=40) as work:
             whole = whole_run(work)
@@ -131,6 +122,15 @@ class Resume(ResumeCase):
 
 
 class AcceptanceOtherModels(ResumeCase):
+    def test_a_slope_whose_particles_are_cut_on_three_levels(self):
+        slope = refine(SlopeWorkspace(TREMOLO, velocity=2.0, duration=1.0), *SLOPE_BOXES)
+        slope.case.write_text(slope.case.read_text() + LINE_AND_MASS)
+        with with_checkpoints(slope, every_steps=150) as work:
+            whole = self.broken_and_resumed(work)
+            with h5py.File(whole / "run.h5") as file:
+                counts = [len(frame["position"]) for frame in file["frames"].values()]
+            self.assertGreater(counts[-1], counts[0], "nothing was cut")
+
     def test_in_lockstep(self):
         with with_checkpoints(record(BoxWorkspace(TREMOLO, **MIXED, duration=1.0)), every_steps=50, keep=1) as work:
             whole = self.broken_and_resumed(work, "--mode", "lockstep")

@@ -36,7 +36,7 @@ class Buildings(unittest.TestCase):
 class AdjacentBuildings(Buildings):
     """As long as it takes the sand to liquefy and the buildings to sink."""
 
-    changes = FASTER | {"duration_s = 16.0 ": "duration_s = 8.0 ", REST: "duration_s = 1.0\n"}
+    changes = FASTER | {"duration_s = 16.0 ": "duration_s = 6.0 ", REST: "duration_s = 0.5\n"}
     least_settlement = 0.05  # m, of the low one
 
     @classmethod

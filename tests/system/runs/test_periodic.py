@@ -39,7 +39,7 @@ class Periodic(unittest.TestCase):
                 self.assertIn(f'[boundary] sides = "{sides}"', explained)
                 self.assertNotIn("left", explained)
 
-    def test_springs_of_flat_ground_carry_its_shear_stress_across(self):
+    def test_acceptance_springs_of_flat_ground_carry_its_shear_stress_across(self):
         # The sides of sheared ground carry shear stress too, for which springs must give way: 1.3 % of the motion.
         found = {}
         for sides in ("periodic", "periodic_springs"):

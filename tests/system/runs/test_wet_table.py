@@ -113,7 +113,7 @@ class BesideTheColumn(unittest.TestCase):
                 energy = run.energy
                 self.assertLess(np.abs(energy["residual"]).max(), 1e-3 * np.abs(energy["input"]).max())
 
-    def test_elastic_ground_moves_alike(self):
+    def test_acceptance_elastic_ground_moves_alike(self):
         self.compare(ELASTIC, 1.5, vx=5e-3)
 
     def test_sand_builds_up_the_same_pressure(self):
@@ -122,7 +122,7 @@ class BesideTheColumn(unittest.TestCase):
 
 class Container(unittest.TestCase):
     def test_has_the_same_bits_for_threads_modes_and_processes(self):
-        with Domain(TREMOLO, soil=SAND, sides="container", duration=0.5) as work:
+        with Domain(TREMOLO, soil=SAND, sides="container", duration=0.2) as work:
             one = work.run("one", "--threads", 1)
             for name, options in (("threads", ["--threads", 2]), ("lockstep", ["--mode", "lockstep"])):
                 self.assertEqual([], differences(work.run(name, *options), one), name)

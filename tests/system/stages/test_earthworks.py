@@ -91,10 +91,14 @@ class Earthworks(unittest.TestCase):
             grown = lambda name: np.ptp(energy[name][later])
             self.assertLess(grown("residual"), 1e-4 * energy["plastic"].max())
             self.assertLess(grown("transfer"), 0.5 * grown("plastic"))
-            drawn = work.command("plot", folder)
-            self.assertEqual(0, drawn.returncode, drawn.stderr)
-            report = work.command("report", folder)
-            self.assertEqual(0, report.returncode, report.stderr)
+
+    def test_acceptance_a_berm_that_comes_and_goes_is_drawn_and_reported(self):
+        stages = rest(0.1) + stage("construction", "berm", 'place = ["berm"]', 0.2) + stage("construction", "dug", 'remove = ["berm"]', 0.2)
+        with BermWorkspace(TREMOLO, stages, shaking=0.2) as work:
+            folder = work.run("run")
+            for command in ("plot", "report"):
+                done = work.command(command, folder)
+                self.assertEqual(0, done.returncode, done.stderr)
 
     def test_a_run_that_is_broken_in_any_of_them_goes_on(self):
         stages = rest(0.15) + stage("construction", "berm", 'place = ["berm"]', 0.15) + aftershock(0.15) + \

@@ -29,7 +29,7 @@ def at(series, name, time):
 
 
 class Shakings(unittest.TestCase):
-    def test_the_domain_is_shaken_again_as_its_columns(self):
+    def test_acceptance_the_domain_is_shaken_again_as_its_columns(self):
         # 3 s, rest until 23 s, 3 s, rest until 36 s; the rests pass up to 5 times as fast.
         stages = rest(20.0, time_factor=5.0) + shaking(3.0) + rest(10.0, name='"last rest"', time_factor=5.0)
         with RestWorkspace(TREMOLO, rest=stages) as work:

@@ -68,7 +68,7 @@ class Lining(unittest.TestCase):
             self.assertIn("lining_ring.png", done.stdout)
 
     def test_resumed_after_a_kill_it_gives_the_same_bits(self):
-        with with_checkpoints(LinedWorkspace(TREMOLO), every_steps=100) as work:
+        with with_checkpoints(LinedWorkspace(TREMOLO, duration=0.3), every_steps=100) as work:
             whole = whole_run(work)
             resumes_with_the_same_bits(self, work, whole, checkpoints(whole)[-1] // 3)
 

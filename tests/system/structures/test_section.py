@@ -48,7 +48,7 @@ class Section(unittest.TestCase):
                 self.assertIn(picture, done.stdout)
 
     def test_resumed_after_a_kill_it_gives_the_same_bits(self):
-        with with_checkpoints(FrameWorkspace(TREMOLO), every_steps=100) as work:
+        with with_checkpoints(FrameWorkspace(TREMOLO, duration=0.5), every_steps=100) as work:
             whole = whole_run(work)
             resumes_with_the_same_bits(self, work, whole, checkpoints(whole)[-1] // 3)
 

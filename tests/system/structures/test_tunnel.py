@@ -22,8 +22,8 @@ LIFT = 1000.0 * OUTLINE * GRAVITY
 
 
 class Tunnel(unittest.TestCase):
-    def checked(self, drainage):
-        with TunnelWorkspace(TREMOLO, drainage=drainage) as work, Run(work.run("run")) as run:
+    def checked(self, drainage, plot=False):
+        with TunnelWorkspace(TREMOLO, drainage=drainage, duration=1.0) as work, Run(work.run("run")) as run:
             self.assertEqual("complete", run.status)
             tunnel = run.body("tunnel")
             # Weight less lift pull upwards: 192.6 kN/m of water, less 78.2 kN/m.
@@ -41,12 +41,13 @@ class Tunnel(unittest.TestCase):
             nodes = run.contact(len(run.times) - 1)
             self.assertTrue(np.abs(nodes["water_force"]).any())
             self.assertGreater(nodes["area"].sum(), 0.9 * 2.0 * np.pi * 2.5)
-            done = work.command("plot", work.path / "run")
-            self.assertEqual(0, done.returncode, done.stdout + done.stderr)
-            self.assertIn("bodies.png", done.stdout)
+            if plot:
+                done = work.command("plot", work.path / "run")
+                self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+                self.assertIn("bodies.png", done.stdout)
 
     def test_acceptance_undrained(self):
-        self.checked("undrained")
+        self.checked("undrained", plot=True)
 
     def test_with_water_that_flows(self):
         self.checked("coupled")

@@ -29,8 +29,8 @@ def upward(ring, pressure, shear):
 
 
 class WetLining(unittest.TestCase):
-    def checked(self, drainage):
-        with WetLinedWorkspace(TREMOLO, drainage=drainage, duration=1.2) as work, Run(work.run("run")) as run:
+    def checked(self, drainage, plot=False):
+        with WetLinedWorkspace(TREMOLO, drainage=drainage, duration=0.9) as work, Run(work.run("run")) as run:
             self.assertEqual("complete", run.status)
             ring = run.lining("ring")
             at_rest = -1000.0 * GRAVITY * ring.segments[:, 1]
@@ -45,12 +45,13 @@ class WetLining(unittest.TestCase):
             self.assertGreater(np.abs(ring.moment - ring.moment[0]).max(), 1e3)
             energy = run.energy
             self.assertLess(np.abs(energy["residual"]).max(), 0.01 * np.abs(energy["input"]).max())
-            done = work.command("plot", work.path / "run")
-            self.assertEqual(0, done.returncode, done.stdout + done.stderr)
-            self.assertIn("lining_ring_contact.png", done.stdout)
+            if plot:
+                done = work.command("plot", work.path / "run")
+                self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+                self.assertIn("lining_ring_contact.png", done.stdout)
 
     def test_acceptance_undrained(self):
-        self.checked("undrained")
+        self.checked("undrained", plot=True)
 
     def test_with_water_that_flows(self):
         self.checked("coupled")

@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 ROCK, RHO, VS, DEPTH, DAMPING = 2000.0 * 400.0, 1800.0, 200.0, 20.0, 0.05
-SIGMA, COUNT = 0.2, 40
+SIGMA, COUNT = 0.2, 16
 
 CASE = f"""title = "one layer on rock"
 [motion]

@@ -84,7 +84,7 @@ class LinearLayer(unittest.TestCase):
         with Run(alone) as one, Run(self.work.out / f"runs/{row['run']}/wave.h5") as other:
             np.testing.assert_array_equal(one.monitor("surface")["ax"], other.monitor("surface")["ax"])
 
-    def test_the_same_command_makes_no_run_again(self):
+    def test_acceptance_the_same_command_makes_no_run_again(self):
         before = self.work.made()
         done = self.work.sweep()
         self.assertIn(f"{COUNT} runs, {COUNT} of them done", done.stdout)

@@ -37,7 +37,7 @@ class Stops(unittest.TestCase):
         """Stops a sweep after its first run; what it says then."""
         process = work.start("--jobs", 1)
         self.first_line_of_a_run(process)
-        time.sleep(0.3)  # the second run goes on
+        time.sleep(0.1)  # the second run goes on
         stop(process)
         said = process.communicate()[0]
         self.assertEqual(status, process.returncode, said)
@@ -53,31 +53,31 @@ class Stops(unittest.TestCase):
         self.assertEqual(before["0001"], after["0001"])
         self.assertEqual(["complete"] * 3, [row["status"] for row in work.rows()])
 
-    def test_ctrl_c(self):
-        with SweepWorkspace(TREMOLO, STUDY, duration=3.0) as work:
-            said = self.stopped(work, lambda process: os.killpg(process.pid, signal.SIGINT), status=130)
+    def expect_a_second_one_is_refused(self, work, first):
+        """While the first one is held, so that it cannot end while the second one waits for the folder."""
+        os.killpg(first.pid, signal.SIGSTOP)
+        try:
+            second = work.sweep()
+        finally:
+            os.killpg(first.pid, signal.SIGCONT)
+        self.assertEqual(1, second.returncode)
+        self.assertIn("is in use", second.stderr)
+
+    def test_two_at_a_time_are_refused_and_ctrl_c(self):
+        def stop(process):
+            self.expect_a_second_one_is_refused(work, process)
+            os.killpg(process.pid, signal.SIGINT)
+
+        with SweepWorkspace(TREMOLO, STUDY, duration=1.5) as work:
+            said = self.stopped(work, stop, status=130)
             self.assertIn("the same command goes on from here", said)
             self.assertNotIn("Traceback", said)
             self.expect_the_rest(work, work.made())
 
     def test_killed(self):
-        with SweepWorkspace(TREMOLO, STUDY, duration=3.0) as work:
+        with SweepWorkspace(TREMOLO, STUDY, duration=1.5) as work:
             self.stopped(work, lambda process: process.kill(), status=-signal.SIGKILL)
             self.expect_the_rest(work, work.made())
-
-    def test_two_at_a_time_are_refused(self):
-        with SweepWorkspace(TREMOLO, STUDY, duration=3.0) as work:
-            first = work.start("--jobs", 1)
-            self.first_line_of_a_run(first)
-            os.killpg(first.pid, signal.SIGSTOP)  # it cannot end while the second waits for the folder
-            try:
-                second = work.sweep()
-            finally:
-                os.killpg(first.pid, signal.SIGCONT)
-                os.killpg(first.pid, signal.SIGINT)
-                first.communicate()
-            self.assertEqual(1, second.returncode)
-            self.assertIn("is in use", second.stderr)
 
 
 if __name__ == "__main__":
