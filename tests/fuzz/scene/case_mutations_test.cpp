@@ -17,7 +17,7 @@ namespace {
 
 void expect_cases_or_errors(const std::filesystem::path& file, std::size_t rounds, double least) {
   testing::expect_read_or_refused(
-      file, 20240119, tremolo::test_support::repetitions(rounds),
+      file, 20240119, rounds,
       [&](const std::string& text) {
         const auto planned = plan(parse(text, "case.toml", file.parent_path()));
         EXPECT_TRUE(std::isfinite(planned.dt) && planned.dt > 0.0) << text;
@@ -28,7 +28,8 @@ void expect_cases_or_errors(const std::filesystem::path& file, std::size_t round
 class CaseFuzz : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CaseFuzz, MutationsAreReadOrRefused) {
-  expect_cases_or_errors(source_dir() + "/cases/" + GetParam() + "/case.toml", 600, 0.05);
+  expect_cases_or_errors(source_dir() + "/cases/" + GetParam() + "/case.toml",
+                         test_support::repetitions(std::size_t{600}), 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, CaseFuzz, ::testing::Values("halfspace_box", "slope_oblique"));

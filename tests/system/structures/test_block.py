@@ -60,7 +60,7 @@ class EitherKind:
             for other in others:
                 self.assertEqual([], differences(other, one))
 
-    def test_pictures(self):
+    def test_acceptance_pictures(self):
         work, folder = shaken(self.kind)
         done = work.command("plot", folder)
         self.assertEqual(0, done.returncode, done.stdout + done.stderr)
