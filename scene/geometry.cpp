@@ -1,7 +1,7 @@
 #include "scene/geometry.hpp"
 
 #include "mesh/polygon.hpp"
-#include "scene/sweep.hpp"
+#include "scene/meeting_boxes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -201,7 +201,7 @@ bool intersects_itself(const Polygon& polygon) {
       return true;
     boxes.push_back(box_of(s));
   }
-  return sweep(boxes, [&](std::size_t i, std::size_t j) {
+  return for_each_meeting_pair(boxes, [&](std::size_t i, std::size_t j) {
     const bool neighbours = j == i + 1 || (i == 0 && j == n - 1);
     return !neighbours && segments_meet(edge(polygon, i), edge(polygon, j));
   });

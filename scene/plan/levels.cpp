@@ -3,11 +3,11 @@
 #include "mpm_domain/spec/grid_shape.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "mpm_domain/spec/plot.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "scene/plan/structures.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
 #include "scene/soils/viscous_damping.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

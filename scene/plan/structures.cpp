@@ -2,10 +2,10 @@
 
 #include "mesh/polygon_measures.hpp"
 #include "mpm_domain/spec/structure.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "scene/plan/levels.hpp"
 #include "scene/plan/step/step_limit.hpp"
 #include "scene/soils/water_table.hpp"
-#include "scene/sweep.hpp"
 #include "scene/thickness.hpp"
 
 #include <fmt/format.h>

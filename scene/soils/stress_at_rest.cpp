@@ -1,7 +1,7 @@
 #include "scene/soils/stress_at_rest.hpp"
 
+#include "scene/meeting_boxes.hpp"
 #include "scene/soils/plausible.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "scene/plan/boundary/springs.hpp"
 
+#include "scene/meeting_boxes.hpp"
 #include "scene/soils/ground_column.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 

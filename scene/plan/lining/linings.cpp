@@ -1,8 +1,8 @@
 #include "scene/plan/lining/linings.hpp"
 
+#include "scene/meeting_boxes.hpp"
 #include "scene/plan/lining/beam_outline.hpp"
 #include "scene/plan/structures.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 

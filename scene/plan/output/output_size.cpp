@@ -4,8 +4,8 @@
 
 #include "base/dataset_size.hpp"
 #include "mpm_domain/spec/output_columns.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "scene/soils/domain_soils.hpp"
-#include "scene/sweep.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // The domain meets soil all around a lining, within the mesh, at nodes that no side holds.
 
 #include "mesh/polygon_measures.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "scene/plan/structures.hpp"
 #include "scene/rules/lining/outlines.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/rules/run/places_in_soil.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 

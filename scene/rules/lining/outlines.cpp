@@ -1,7 +1,7 @@
 #include "scene/rules/lining/outlines.hpp"
 
+#include "scene/meeting_boxes.hpp"
 #include "scene/plan/structures.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 

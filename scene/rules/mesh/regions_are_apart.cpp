@@ -1,5 +1,5 @@
+#include "scene/meeting_boxes.hpp"
 #include "scene/rules/rules.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 

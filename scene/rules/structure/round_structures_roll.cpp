@@ -1,7 +1,7 @@
+#include "scene/meeting_boxes.hpp"
 #include "scene/plan/structures.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/rules/structure/outlines.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
+#include "scene/meeting_boxes.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/rules/structure/outlines.hpp"
-#include "scene/sweep.hpp"
 
 #include <fmt/format.h>
 

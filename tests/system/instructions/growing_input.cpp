@@ -7,7 +7,7 @@
 
 #include "scene/case.hpp"
 #include "scene/geometry.hpp"
-#include "scene/sweep.hpp"
+#include "scene/meeting_boxes.hpp"
 #include "scene/text/errors.hpp"
 
 #include <iostream>

@@ -1,5 +1,5 @@
 #include "scene/geometry.hpp"
-#include "scene/sweep.hpp"
+#include "scene/meeting_boxes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/sweep.hpp"
+#include "scene/meeting_boxes.hpp"
 
 namespace tremolo::scene {
 
@@ -23,7 +23,7 @@ std::vector<std::pair<std::size_t, std::size_t>> overlaps(const std::vector<Poly
   for (const Polygon& polygon : polygons)
     boxes.push_back(box_of(polygon));
   std::vector<std::size_t> overlapped(polygons.size(), none);
-  sweep(boxes, [&](std::size_t i, std::size_t j) {
+  for_each_meeting_pair(boxes, [&](std::size_t i, std::size_t j) {
     if (i < overlapped[j] && overlap(polygons[i], polygons[j]))
       overlapped[j] = i;
     return false;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which of many boxes meet, without looking at all pairs, and what is made of it.
+// Finds which of many boxes meet without looking at all pairs, and which of many polygons overlap.
 
 #include "scene/geometry.hpp"
 
@@ -21,10 +21,11 @@ Box box_of(const std::vector<Point>& points);
 /// Whether two boxes have a point in common; edges that touch do.
 bool meet(const Box& a, const Box& b);
 
-/// Calls visit(i, j), i < j, for boxes that meet, until it returns true. A sweep along x: boxes are looked at
-/// in the order of their left edges, beside those that have begun and not ended.
+/// Calls visit(i, j), i < j, for boxes that meet, until it returns true. A line moves along x: each box is
+/// compared, in the order of the left edges, with those that have begun and not ended.
+/// @returns whether a call returned true
 template <class Visit>
-bool sweep(const std::vector<Box>& boxes, const Visit& visit) {
+bool for_each_meeting_pair(const std::vector<Box>& boxes, const Visit& visit) {
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return boxes[i].x_min; });
@@ -41,8 +42,8 @@ bool sweep(const std::vector<Box>& boxes, const Visit& visit) {
   return false;
 }
 
-/// Of simple polygons, each one that overlaps an earlier one, with the first that it overlaps: pairs of
-/// indices, (first, second).
+/// Finds each simple polygon that overlaps an earlier one: pairs of indices, (the first that it overlaps,
+/// itself).
 std::vector<std::pair<std::size_t, std::size_t>> overlaps(const std::vector<Polygon>& polygons);
 
 } // namespace tremolo::scene
