@@ -2,6 +2,7 @@
 
 // Plain data that goes into and comes out of a run file.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -63,6 +64,10 @@ struct SeriesData {
   std::vector<double> values; ///< [rows * columns], row after row
 
   std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
+  bool has(std::string_view column) const { return std::ranges::find(columns, column) != columns.end(); }
+
+  /// @throws std::runtime_error where there is no such column
+  std::vector<double> column(std::string_view name) const;
 };
 
 /// The faces through which the domain is shaken, in the order of the exchange.

@@ -9,6 +9,16 @@
 
 namespace tremolo::results {
 
+std::vector<double> SeriesData::column(std::string_view name) const {
+  const auto found = std::ranges::find(columns, name);
+  if (found == columns.end())
+    throw std::runtime_error(fmt::format("a series of the run has no column '{}'", name));
+  std::vector<double> numbers;
+  for (auto i = static_cast<std::size_t>(found - columns.begin()); i < values.size(); i += columns.size())
+    numbers.push_back(values[i]);
+  return numbers;
+}
+
 class RunReader::Implementation {
 public:
   explicit Implementation(const std::filesystem::path& path) : source(path, "run file") {

@@ -39,9 +39,9 @@ constexpr auto words(RangeScale) {
 
 /// A value of a key of the case.
 struct AxisValue {
-  std::string toml;  ///< as a case file writes it; names of files are absolute
-  std::string shown; ///< as the study writes it
-  Place place;       ///< in the study
+  std::string toml;  ///< as a case file writes it; names of files are absolute; empty: without the key
+  std::string shown; ///< as the user writes it
+  Place place{};     ///< in the study
 };
 
 /// A range of a number, in a Latin hypercube.
@@ -53,11 +53,11 @@ struct AxisRange {
 
 /// A key of the case, and the values that it takes.
 struct Axis {
-  std::string key;               ///< "motion.angle_deg", "region[0].soil"
-  std::string unit;              ///< "" where the key has none or is not known
-  Place place;                   ///< of the key in the study
-  std::vector<AxisValue> values; ///< empty with a range
-  std::optional<AxisRange> range;
+  std::string key;                 ///< "motion.angle_deg", "region[0].soil"
+  std::string unit{};              ///< "" where the key has none or is not known
+  Place place{};                   ///< of the key in the study
+  std::vector<AxisValue> values{}; ///< empty with a range
+  std::optional<AxisRange> range{};
 };
 
 /// The key whose values are records.

@@ -1,20 +1,23 @@
 // tremolo cost: what accuracy costs on a case, and which setting buys it cheapest.
 
 #include "app/commands.hpp"
-#include "app/cost/cost_error.hpp"
+#include "app/cost/cost_ladder.hpp"
 #include "app/cost/cost_report.hpp"
 #include "app/free_field/table_text.hpp"
 #include "app/output_place.hpp"
 #include "app/python.hpp"
-#include "app/run/case_run.hpp"
 #include "app/run/local_options.hpp"
+#include "app/study/differences.hpp"
+#include "app/study/run_variant.hpp"
 #include "app/verify/exact_field.hpp"
+#include "app/verify/verification.hpp"
 #include "base/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -44,21 +47,17 @@ double target_from(const std::string& text) {
   return target;
 }
 
-/// Cost of a finished rung. The file lies in the rung's folder and shows that the run need not be repeated.
-struct Cost {
-  double cpu = 0.0;  ///< s
-  double work = 0.0; ///< particle updates
-};
-
+/// What a rung has taken. It lies in the rung's folder and says that the run need not be made again.
 fs::path cost_file(const fs::path& folder) {
   return folder / "rung.json";
 }
 
-std::optional<Cost> finished(const fs::path& folder, const std::string& text) {
+/// Reads what a rung has taken; false where it has not run to its end.
+bool read_cost(const fs::path& folder, CostRung& rung) {
   if (!fs::exists(cost_file(folder)))
-    return std::nullopt;
+    return false;
   const fs::path case_file = folder / "case.toml";
-  if (!fs::exists(case_file) || read_text_file(case_file) != text)
+  if (!fs::exists(case_file) || read_text_file(case_file) != rung.variant.text)
     throw std::runtime_error(
         fmt::format("{} holds a run of another text of the case; choose another --out, or remove the folder",
                     folder.string()));
@@ -69,79 +68,70 @@ std::optional<Cost> finished(const fs::path& folder, const std::string& text) {
                                            cost_file(folder).string()));
     return json[key].get<double>();
   };
-  return Cost{number("cpu_s"), number("updates")};
+  rung.point.cpu = number("cpu_s");
+  rung.point.work = number("updates");
+  return true;
 }
 
-Cost run_rung(const Rung& rung, const fs::path& folder, int threads) {
+void run(const fs::path& folder, int threads, CostRung& rung) {
   if (fs::exists(folder) && !fs::exists(folder / "case.toml"))
     throw std::runtime_error(
         fmt::format("{} holds no run; choose another --out, or remove the folder", folder.string()));
   fs::remove_all(folder); // of a run that did not end
-  Cost cost;
-  for (const auto& process :
-       run_case(*rung.scene, {.folder = folder, .mode = {}, .transport = "ipc", .threads = threads})) {
-    cost.cpu += process.cpu_seconds;
-    cost.work += process.report.particle_updates;
-  }
-  write_text_file(cost_file(folder),
-                  nlohmann::ordered_json{{"cpu_s", cost.cpu}, {"updates", cost.work}}.dump() + "\n");
-  return cost;
+  const RunCost cost = run_variant(rung.variant, folder, threads);
+  rung.point.cpu = cost.sources + cost.domain;
+  rung.point.work = cost.updates;
+  const nlohmann::ordered_json json = {{"cpu_s", rung.point.cpu}, {"updates", rung.point.work}};
+  write_text_file(cost_file(folder), json.dump() + "\n");
 }
 
 /// Refused before anything runs: a ladder none of whose rungs is a case.
-void require_rungs(const std::vector<Rung>& rungs, const std::vector<Knob>& knobs) {
-  if (std::ranges::any_of(rungs, [](const Rung& rung) { return rung.refused.empty(); }))
-    return;
+void require_rungs(const CostStudy& study) {
   std::string text = "no rung of the ladder is a case that can run:";
-  for (const Rung& rung : rungs)
-    text += fmt::format("\n  {}: {}", setting(knobs, rung.values), rung.refused);
+  for (const CostRung& rung : study.rungs) {
+    if (rung.variant.scene)
+      return;
+    text += fmt::format("\n  {}: {}", setting(study.knobs, rung.variant.values), rung.variant.refused);
+  }
   std::fprintf(stderr, "tremolo: %s\n", text.c_str());
   throw Exit{refused};
 }
 
-std::vector<CostRung> run_ladder(const std::vector<Rung>& rungs, const std::vector<Knob>& knobs,
-                                 const Options& options) {
-  std::vector<CostRung> all;
-  for (const Rung& rung : rungs) {
-    CostRung entry{.values = rung.values, .folder = folder_name(knobs, rung.values), .refused = rung.refused};
-    if (rung.scene) {
-      const fs::path folder = options.out / entry.folder;
-      const auto known = finished(folder, rung.text);
-      const Cost cost = known ? *known : run_rung(rung, folder, options.threads);
-      entry.point = {.family = setting(knobs, rung.values, size_key),
-                     .size = rung.scene->mesh.size,
-                     .cpu = cost.cpu,
-                     .work = cost.work};
-    }
-    all.push_back(std::move(entry));
+CostStudy study_of(const scene::Case& given, std::vector<scene::Axis> knobs) {
+  CostStudy study{.title = given.title, .knobs = std::move(knobs), .rungs = {}};
+  for (Variant& variant : ladder(given, study.knobs)) {
+    CostRung& rung = study.rungs.emplace_back(CostRung{.variant = std::move(variant)});
+    if (rung.variant.scene)
+      rung.point = {.family = family(study.knobs, rung.variant.values),
+                    .size = rung.variant.scene->mesh.size};
   }
-  return all;
+  return study;
 }
 
 /// Fills in the errors, and says what they are relative to.
-std::string measure(std::vector<CostRung>& rungs, const std::vector<Rung>& cases, const Options& options) {
-  const bool exact = options.reference.empty() && std::ranges::all_of(cases, [](const Rung& rung) {
-                       return !rung.scene || !why_not_exact(*rung.scene);
+std::string measure(std::vector<CostRung>& rungs, const Options& options) {
+  const bool exact = options.reference.empty() && std::ranges::all_of(rungs, [](const CostRung& rung) {
+                       return !rung.variant.scene || !why_not_exact(*rung.variant.scene);
                      });
   fs::path reference = options.reference;
   if (!exact && reference.empty()) {
     const auto finest =
         std::ranges::max_element(rungs, {}, [](const CostRung& rung) { return rung.point.work; });
-    reference = options.out / finest->folder;
+    reference = options.out / finest->variant.name;
   }
-  for (std::size_t i = 0; i < rungs.size(); ++i) {
-    CostRung& rung = rungs[i];
-    if (!cases[i].scene)
-      continue;
-    const fs::path folder = options.out / rung.folder;
-    rung.reference = !exact && fs::equivalent(folder, reference);
-    if (rung.reference)
+  for (CostRung& rung : rungs) {
+    const fs::path folder = options.out / rung.variant.name;
+    rung.reference = !exact && rung.variant.scene && fs::equivalent(folder, reference);
+    if (!rung.measured())
       continue;
     const results::RunReader run(folder / "run.h5");
-    const RunError error = exact ? error_to_exact(run, *cases[i].scene)
-                                 : error_to_run(run, results::RunReader(reference / "run.h5"));
-    rung.point.error = error.relative_l2;
-    rung.phase_lag = error.phase_lag;
+    if (exact) {
+      const Agreement whole = verify(run, *rung.variant.scene).particles.regions.front();
+      rung.point.error = whole.relative_l2;
+      rung.phase_lag = whole.phase_lag;
+    } else {
+      rung.point.error = difference_at_monitors(run, results::RunReader(reference / "run.h5"));
+    }
   }
   if (exact)
     return "particle velocity against the exact field, relative L2 over all particles and frames";
@@ -150,18 +140,30 @@ std::string measure(std::vector<CostRung>& rungs, const std::vector<Rung>& cases
       reference.filename().string());
 }
 
-/// The family whose fit reaches the target in the least time.
+void mark_front(std::vector<CostRung>& rungs) {
+  std::vector<CostPoint> points;
+  std::vector<CostRung*> measured;
+  for (CostRung& rung : rungs)
+    if (rung.measured()) {
+      points.push_back(rung.point);
+      measured.push_back(&rung);
+    }
+  for (const std::size_t i : pareto_front(points))
+    measured[i]->front = true;
+}
+
+/// Of all families, the one whose fit reaches the target for the least time.
 std::optional<CostPrediction> predict(const scene::Case& given, const CostStudy& study) {
-  if (std::ranges::find(study.knobs, size_key, &Knob::key) == study.knobs.end())
+  if (std::ranges::find(study.knobs, size_key, &scene::Axis::key) == study.knobs.end())
     return std::nullopt;
   std::optional<CostPrediction> best;
-  for (const CostFit& fit : fits(study.points())) {
+  for (const CostFit& fit : study.fits) {
     const auto wanted = size_for(fit, *study.target);
     if (!wanted)
       continue;
     const auto member =
         std::ranges::find(study.rungs, fit.family, [](const CostRung& rung) { return rung.point.family; });
-    const auto size = admissible_size(given, study.knobs, member->values, *wanted);
+    const auto size = admissible_size(given, study.knobs, member->variant.values, *wanted);
     if (size && (!best || fit.cpu_at(*size) < best->fit.cpu_at(best->size)))
       best = {fit, *size};
   }
@@ -171,27 +173,24 @@ std::optional<CostPrediction> predict(const scene::Case& given, const CostStudy&
 void study_cost(const Options& options) {
   const auto given = scene::load(options.case_file);
   const auto target = options.target ? std::optional(target_from(*options.target)) : std::nullopt;
-  std::vector<Knob> knobs;
-  for (const std::string& text : options.knobs)
-    knobs.push_back(knob_from(text));
-  if (knobs.empty())
-    knobs = default_knobs(given);
-  const auto cases = ladder(given, knobs);
-  require_rungs(cases, knobs);
+  std::vector<scene::Axis> knobs;
+  std::ranges::transform(options.knobs, std::back_inserter(knobs), knob_from);
+  CostStudy study = study_of(given, knobs.empty() ? default_knobs(given) : knobs);
+  require_rungs(study);
   make_folder(options.out);
   require_writable_in(options.out,
                       {{"cost.json", has_words("\"error_of\": ")},
                        {"cost.csv", has_words(cost_columns)},
                        {"cost.png", is_picture_of_tremolo}},
                       {options.case_file});
-
-  CostStudy study{.title = given.title,
-                  .error_of = {},
-                  .knobs = knobs,
-                  .rungs = run_ladder(cases, knobs, options),
-                  .target = target,
-                  .prediction = {}};
-  study.error_of = measure(study.rungs, cases, options);
+  for (CostRung& rung : study.rungs)
+    if (const fs::path folder = options.out / rung.variant.name;
+        rung.variant.scene && !read_cost(folder, rung))
+      run(folder, options.threads, rung);
+  study.error_of = measure(study.rungs, options);
+  mark_front(study.rungs);
+  study.fits = fits(study.points());
+  study.target = target;
   if (target)
     study.prediction = predict(given, study);
   fmt::print("\n{}", cost_text(study));

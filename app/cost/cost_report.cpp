@@ -5,28 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
 namespace tremolo::app {
 
 namespace {
-
-bool measured(const CostRung& rung) {
-  return rung.refused.empty() && !rung.reference;
-}
-
-/// For each rung, whether it lies on the front.
-std::vector<bool> on_front(const CostStudy& study) {
-  std::vector<std::size_t> of_point;
-  for (std::size_t i = 0; i < study.rungs.size(); ++i)
-    if (measured(study.rungs[i]))
-      of_point.push_back(i);
-  std::vector<bool> on(study.rungs.size());
-  for (const std::size_t p : pareto_front(study.points()))
-    on[of_point[p]] = true;
-  return on;
-}
 
 std::string percent(double value) {
   return fmt::format("{:.3g} %", 100.0 * value);
@@ -39,16 +22,16 @@ std::string column_heads(const CostStudy& study, const std::vector<std::size_t>&
   return text + fmt::format("{:>11}{:>11}{:>12}{:>12}\n", "error", "lag", "CPU time", "updates");
 }
 
-std::string rung_line(const CostRung& rung, const std::vector<std::size_t>& widths, bool front) {
+std::string rung_line(const CostRung& rung, const std::vector<std::size_t>& widths) {
   std::string text;
   for (std::size_t k = 0; k < widths.size(); ++k)
-    text += fmt::format("{:<{}}", rung.values[k], widths[k]);
-  if (!rung.refused.empty())
-    return text + fmt::format("  refused: {}\n", rung.refused);
+    text += fmt::format("{:<{}}", rung.variant.values[k].shown, widths[k]);
+  if (!rung.variant.scene)
+    return text + fmt::format("  refused: {}\n", rung.variant.refused);
   const std::string error = rung.reference ? "reference" : percent(rung.point.error);
   const std::string lag = rung.phase_lag == 0.0 ? "-" : fmt::format("{:.3f} ms", 1000.0 * rung.phase_lag);
   return text + fmt::format("{:>11}{:>11}{:>10.2f} s{:>12.3g}{}\n", error, lag, rung.point.cpu,
-                            rung.point.work, front ? "  *" : "");
+                            rung.point.work, rung.front ? "  *" : "");
 }
 
 std::string fit_text(const CostFit& fit) {
@@ -94,14 +77,12 @@ nlohmann::ordered_json to_json(const CostFit& fit) {
 
 nlohmann::ordered_json to_json(const CostStudy& study) {
   nlohmann::ordered_json json = {{"title", study.title}, {"error_of", study.error_of}};
-  const auto front = on_front(study);
-  for (std::size_t i = 0; i < study.rungs.size(); ++i) {
-    const CostRung& rung = study.rungs[i];
-    nlohmann::ordered_json entry = {{"folder", rung.folder}};
+  for (const CostRung& rung : study.rungs) {
+    nlohmann::ordered_json entry = {{"folder", rung.variant.name}};
     for (std::size_t k = 0; k < study.knobs.size(); ++k)
-      entry["knobs"][study.knobs[k].key] = rung.values[k];
-    if (!rung.refused.empty()) {
-      entry["refused"] = rung.refused;
+      entry["knobs"][study.knobs[k].key] = rung.variant.values[k].shown;
+    if (!rung.variant.scene) {
+      entry["refused"] = rung.variant.refused;
     } else {
       entry["family"] = rung.point.family;
       entry["size"] = rung.point.size;
@@ -112,12 +93,12 @@ nlohmann::ordered_json to_json(const CostStudy& study) {
       entry["phase_lag_s"] = rung.phase_lag;
       entry["cpu_s"] = rung.point.cpu;
       entry["updates"] = rung.point.work;
-      entry["front"] = bool(front[i]);
+      entry["front"] = rung.front;
     }
     json["rungs"].push_back(std::move(entry));
   }
   json["fits"] = nlohmann::ordered_json::array();
-  for (const CostFit& fit : fits(study.points()))
+  for (const CostFit& fit : study.fits)
     json["fits"].push_back(to_json(fit));
   if (study.target)
     json["target"] = *study.target;
@@ -140,18 +121,16 @@ std::string quoted(const std::string& value) {
 
 std::string to_csv(const CostStudy& study) {
   std::string text;
-  for (const Knob& knob : study.knobs)
+  for (const scene::Axis& knob : study.knobs)
     text += knob.key + ",";
   text += fmt::format("{}\n", cost_columns);
-  const auto front = on_front(study);
-  for (std::size_t i = 0; i < study.rungs.size(); ++i) {
-    const CostRung& rung = study.rungs[i];
-    if (!rung.refused.empty())
+  for (const CostRung& rung : study.rungs) {
+    if (!rung.variant.scene)
       continue;
-    for (const std::string& value : rung.values)
-      text += quoted(value) + ",";
+    for (const scene::AxisValue& value : rung.variant.values)
+      text += quoted(value.shown) + ",";
     text += fmt::format("{},{},{},{},{}\n", rung.reference ? 0.0 : rung.point.error, rung.phase_lag,
-                        rung.point.cpu, rung.point.work, front[i] ? 1 : 0);
+                        rung.point.cpu, rung.point.work, rung.front ? 1 : 0);
   }
   return text;
 }
@@ -161,7 +140,7 @@ std::string to_csv(const CostStudy& study) {
 std::vector<CostPoint> CostStudy::points() const {
   std::vector<CostPoint> all;
   for (const CostRung& rung : rungs)
-    if (measured(rung))
+    if (rung.measured())
       all.push_back(rung.point);
   return all;
 }
@@ -171,20 +150,18 @@ std::string cost_text(const CostStudy& study) {
   for (std::size_t k = 0; k < study.knobs.size(); ++k) {
     std::size_t width = study.knobs[k].key.size();
     for (const CostRung& rung : study.rungs)
-      width = std::max(width, rung.values[k].size());
+      width = std::max(width, rung.variant.values[k].shown.size());
     widths.push_back(width + 2);
   }
   std::string text = study.title + "\n" + column_heads(study, widths);
-  const auto front = on_front(study);
-  for (std::size_t i = 0; i < study.rungs.size(); ++i)
-    text += rung_line(study.rungs[i], widths, front[i]);
+  for (const CostRung& rung : study.rungs)
+    text += rung_line(rung, widths);
   text += fmt::format("error: {}; CPU time: user and system, of all processes; *: on the Pareto front\n",
                       study.error_of);
-  if (const auto all = fits(study.points()); !all.empty()) {
+  if (!study.fits.empty())
     text += "fits along mesh.size:\n";
-    for (const CostFit& fit : all)
-      text += fit_text(fit);
-  }
+  for (const CostFit& fit : study.fits)
+    text += fit_text(fit);
   return study.target ? text + answer(study) : text;
 }
 

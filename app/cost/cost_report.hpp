@@ -3,7 +3,7 @@
 // Output of `tremolo cost`: the table for people, cost.csv, and cost.json for the picture.
 
 #include "app/cost/cost_front.hpp"
-#include "app/cost/cost_ladder.hpp"
+#include "app/study/variant.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -17,12 +17,13 @@ inline constexpr const char* cost_columns = "relative_error,phase_lag_s,cpu_s,pa
 
 /// A rung and what became of it.
 struct CostRung {
-  std::vector<std::string> values; ///< one a knob
-  std::string folder;              ///< within that of the ladder
-  std::string refused;             ///< why there is no run; empty where there is
-  bool reference = false;          ///< the others are held against it
-  CostPoint point;
+  Variant variant;
+  bool reference = false; ///< the others are held against it
+  CostPoint point{};
   double phase_lag = 0.0; ///< s, positive where the run is late
+  bool front = false;     ///< it lies on the Pareto front
+
+  bool measured() const { return variant.scene && !reference; }
 };
 
 /// The cheapest setting that a fit expects to reach the target.
@@ -33,11 +34,12 @@ struct CostPrediction {
 
 struct CostStudy {
   std::string title;
-  std::string error_of; ///< what the errors are relative to, in words
-  std::vector<Knob> knobs;
+  std::vector<scene::Axis> knobs;
   std::vector<CostRung> rungs;
-  std::optional<double> target; ///< 1
-  std::optional<CostPrediction> prediction;
+  std::string error_of{};         ///< what the errors are relative to, in words
+  std::vector<CostFit> fits{};    ///< of the rungs that have an error
+  std::optional<double> target{}; ///< 1
+  std::optional<CostPrediction> prediction{};
 
   /// Points of the rungs that have an error.
   std::vector<CostPoint> points() const;

@@ -40,11 +40,10 @@ void compare(const Options& options) {
   if (!fs::is_empty(options.out))
     throw std::runtime_error(
         fmt::format("{} is not an empty folder; choose another --out", options.out.string()));
-  const auto runs =
-      swap_models(scene, models, {.folder = options.out, .mode = {}, .threads = options.threads});
+  const auto runs = swap_models(scene, models, options.out, options.threads);
   write_text_file(options.out / "swap.json", swap_json(runs) + "\n");
   fmt::print("\n{}", swap_text(runs));
-  if (std::ranges::none_of(runs, [](const SwappedRun& run) { return run.refused.empty(); }))
+  if (std::ranges::none_of(runs, &SwappedRun::ran))
     throw Exit{1};
   if (run_python("swap", {options.out.string()}) != 0 || std::ranges::any_of(runs, &SwappedRun::failed))
     throw Exit{1};

@@ -1,10 +1,11 @@
 #include "app/swap/swap.hpp"
 
 #include "app/commands.hpp"
+#include "app/free_field/free_field_series.hpp"
+#include "app/study/differences.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/read/override.hpp"
-#include "scene/text/errors.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,68 +19,25 @@ namespace tremolo::app {
 
 namespace {
 
-/// Sums of squares of a difference and of its reference.
-struct Squares {
-  double difference = 0.0;
-  double reference = 0.0;
-
-  void add(double value, double expected) {
-    difference += (value - expected) * (value - expected);
-    reference += expected * expected;
-  }
-  double ratio() const { return reference > 0.0 ? std::sqrt(difference / reference) : 0.0; }
-};
-
-std::optional<std::size_t> find_column(const results::SeriesData& series, std::string_view name) {
-  const auto found = std::ranges::find(series.columns, name);
-  if (found == series.columns.end())
-    return std::nullopt;
-  return static_cast<std::size_t>(found - series.columns.begin());
-}
-
-std::size_t column_named(const results::SeriesData& series, const std::string& name) {
-  const auto column = find_column(series, name);
-  if (!column)
-    throw std::runtime_error(fmt::format("a monitor has no column '{}'", name));
-  return *column;
-}
-
-Difference at_monitor(const std::string& monitor, const results::RunReader& run,
-                      const results::RunReader& reference) {
+std::optional<PorePressureRatio> ratio_at(const std::string& monitor, const results::RunReader& run,
+                                          const results::RunReader& reference) {
+  constexpr std::string_view column = "pore_pressure_ratio";
   const auto series = run.series("/monitors/" + monitor);
-  const auto expected = reference.series("/monitors/" + monitor);
-  Squares squares;
-  for (const char* name : {"vx", "vy"}) {
-    const std::size_t column = column_named(series, name);
-    const std::size_t stride = series.columns.size();
-    for (std::size_t i = 0; i < std::min(series.rows(), expected.rows()); ++i)
-      squares.add(series.values[i * stride + column], expected.values[i * stride + column]);
-  }
-  return {monitor, squares.ratio()};
-}
-
-std::optional<PorePressureRatio> ratio_at_monitor(const std::string& monitor, const results::RunReader& run,
-                                                  const results::RunReader& reference) {
-  const auto series = run.series("/monitors/" + monitor);
-  const auto expected = reference.series("/monitors/" + monitor);
-  const auto column = find_column(series, "pore_pressure_ratio");
-  const std::size_t rows = std::min(series.rows(), expected.rows());
-  if (!column || rows == 0)
+  if (!series.has(column))
     return std::nullopt;
-  const std::size_t stride = series.columns.size();
+  const auto ratios = series.column(column);
+  const auto expected = reference.series("/monitors/" + monitor).column(column);
+  const std::size_t rows = std::min(ratios.size(), expected.size());
   double sum = 0.0;
-  double largest = 0.0;
   Squares squares;
   for (std::size_t i = 0; i < rows; ++i) {
-    const double ratio = series.values[i * stride + *column];
-    sum += ratio;
-    largest = std::max(largest, std::abs(ratio));
-    squares.add(ratio, expected.values[i * stride + *column]);
+    sum += ratios[i];
+    squares.add(ratios[i], expected[i]);
   }
-  if (largest == 0.0) // dry, or drained
+  if (std::ranges::all_of(ratios, [](double ratio) { return ratio == 0.0; })) // dry, or drained
     return std::nullopt;
   const auto count = static_cast<double>(rows);
-  return PorePressureRatio{monitor, sum / count, std::sqrt(squares.difference / count)};
+  return PorePressureRatio{sum / count, std::sqrt(squares.difference / count)};
 }
 
 /// The free fields of the sides that differ: the left one, and the right one where its ground or surface is
@@ -92,7 +50,7 @@ double difference(const FreeFieldSeries& field, const FreeFieldSeries& reference
     squares.add(field.samples[i].vx, reference.samples[i].vx);
     squares.add(field.samples[i].vy, reference.samples[i].vy);
   }
-  return squares.ratio();
+  return squares.relative();
 }
 
 /// The larger of the two sides' differences.
@@ -171,84 +129,78 @@ void print_linearised(const scene::Case& scene) {
 /// Exit statuses above this one are 128 + the signal by which the user ended the run.
 constexpr int interrupted = 128;
 
-void add_costs(const std::vector<coupler::ProcessSummary>& processes, SwappedRun& entry) {
-  for (const auto& process : processes) {
-    (process.name == "domain" ? entry.domain_cpu_seconds : entry.source_cpu_seconds) += process.cpu_seconds;
-    entry.wall_seconds = std::max(entry.wall_seconds, process.wall_seconds);
-  }
-}
-
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
 /// r_u at the monitors, a line a model; empty where there is no pore pressure.
 std::string ratio_text(const std::vector<SwappedRun>& runs, const SwappedRun& first) {
-  if (first.pore_pressure_ratio.empty())
-    return {};
-  const auto width = [](const PorePressureRatio& ratio) {
-    return std::max<std::size_t>(18, ratio.where.size() + 3);
-  };
+  std::vector<std::size_t> wet;
   std::string text = fmt::format("\n{:<10}", "r_u");
-  for (const PorePressureRatio& ratio : first.pore_pressure_ratio)
-    text += fmt::format("{:>{}}", ratio.where, width(ratio));
-  text += '\n';
+  const auto width = [&](std::size_t m) {
+    return std::max<std::size_t>(18, first.monitors[m].name.size() + 3);
+  };
+  for (std::size_t m = 0; m < first.monitors.size(); ++m)
+    if (first.monitors[m].ratio) {
+      wet.push_back(m);
+      text += fmt::format("{:>{}}", first.monitors[m].name, width(m));
+    }
   for (const SwappedRun& run : runs) {
-    if (!run.refused.empty())
+    if (!run.ran())
       continue;
-    text += fmt::format("{:<10}", scene::name(run.model));
-    for (const PorePressureRatio& ratio : run.pore_pressure_ratio)
-      text += fmt::format("{:>{}}", fmt::format("{:.3f} ({:.3f})", ratio.mean, ratio.rms_difference),
-                          width(ratio));
-    text += '\n';
+    text += fmt::format("\n{:<10}", run.model());
+    for (const std::size_t m : wet) {
+      const auto& ratio = run.monitors[m].ratio;
+      text += fmt::format("{:>{}}",
+                          ratio ? fmt::format("{:.3f} ({:.3f})", ratio->mean, ratio->rms_difference) : "-",
+                          width(m));
+    }
   }
-  return text + fmt::format("Mean of the run, in brackets the root mean square of the difference to '{}'.\n",
-                            scene::name(first.model));
+  if (wet.empty())
+    return {};
+  return text +
+         fmt::format("\nMean of the run, in brackets the root mean square of the difference to '{}'.\n",
+                     first.model());
 }
 
 } // namespace
 
 std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
-                                    const CaseRun& run) {
+                                    const std::filesystem::path& out, int threads) {
   std::vector<SwappedRun> swapped;
   std::optional<results::RunReader> first_run;
   std::optional<SideFields> first_fields;
   std::optional<SideFields> exact;
   for (const scene::SourceModel model : models) {
-    SwappedRun& entry = swapped.emplace_back(SwappedRun{.model = model});
-    std::optional<scene::Case> scene;
-    try {
-      const auto text = scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = model});
-      scene = scene::parse(text, given.file, given.directory);
-    } catch (const scene::CaseErrors& errors) {
-      entry.refused = errors.errors().front().message();
-      fmt::print("{}: {}\n", scene::name(model), entry.refused);
+    SwappedRun& entry = swapped.emplace_back(SwappedRun{
+        variant_of(given, std::string(scene::name(model)),
+                   scene::overridden_text(given, {.record = {}, .angle_deg = {}, .model = model}))});
+    const auto& scene = entry.variant.scene;
+    if (!scene) {
+      fmt::print("{}: {}\n", entry.model(), entry.variant.refused);
       continue;
     }
     print_linearised(*scene);
-    CaseRun one = run;
-    one.folder = run.folder / std::string(scene::name(model));
+    const auto folder = out / entry.model();
     try {
-      add_costs(run_case(*scene, one), entry);
+      entry.cost = run_variant(entry.variant, folder, threads);
     } catch (const Exit& exit) {
       if (exit.status > interrupted)
         throw;
-      entry.refused = fmt::format("the run in {} failed, as said above", one.folder.string());
+      entry.variant.refused = fmt::format("the run in {} failed, as said above", folder.string());
       entry.failed = true;
       continue;
     }
-    const results::RunReader reader(one.folder / "run.h5");
-    const auto fields = side_fields(*scene, model, fmt::format("free field of {}", scene::name(model)));
+    const results::RunReader run(folder / "run.h5");
+    const auto fields = side_fields(*scene, model, fmt::format("free field of {}", entry.model()));
     if (!first_run) {
-      first_run.emplace(one.folder / "run.h5");
+      first_run.emplace(folder / "run.h5");
       first_fields = fields;
       exact = exact_fields(*scene);
     }
-    for (const scene::Monitor& monitor : scene->monitors) {
-      entry.monitors.push_back(at_monitor(monitor.name, reader, *first_run));
-      if (const auto ratio = ratio_at_monitor(monitor.name, reader, *first_run))
-        entry.pore_pressure_ratio.push_back(*ratio);
-    }
+    for (const scene::Monitor& monitor : scene->monitors)
+      entry.monitors.push_back({monitor.name, difference_at(monitor.name, run, *first_run).relative(),
+                                ratio_at(monitor.name, run, *first_run)});
     if (fields && first_fields)
       entry.free_field = difference(*fields, *first_fields);
     if (fields && exact)
@@ -261,53 +213,53 @@ std::string swap_text(const std::vector<SwappedRun>& runs) {
   const auto percent = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.3f} %", 100.0 * *value) : std::string("-");
   };
-  const auto width = [](const Difference& monitor) {
-    return std::max<std::size_t>(14, monitor.where.size() + 3);
+  const auto width = [](const AtMonitor& monitor) {
+    return std::max<std::size_t>(14, monitor.name.size() + 3);
   };
-  const auto first = std::ranges::find_if(runs, [](const SwappedRun& run) { return run.refused.empty(); });
+  const auto first = std::ranges::find_if(runs, &SwappedRun::ran);
   if (first == runs.end())
     return "no model can compute this case\n";
   std::string text = fmt::format("{:<10}{:>12}{:>12}{:>12}{:>14}{:>14}", "model", "source CPU", "domain CPU",
                                  "wall", "free field", "to exact");
-  for (const Difference& monitor : first->monitors)
-    text += fmt::format("{:>{}}", monitor.where, width(monitor));
+  for (const AtMonitor& monitor : first->monitors)
+    text += fmt::format("{:>{}}", monitor.name, width(monitor));
   text += '\n';
   for (const SwappedRun& run : runs) {
-    text += fmt::format("{:<10}", scene::name(run.model));
-    if (!run.refused.empty()) {
-      text += fmt::format("  {}: {}\n", run.failed ? "failed" : "refused", first_line(run.refused));
+    text += fmt::format("{:<10}", run.model());
+    if (!run.ran()) {
+      text += fmt::format("  {}: {}\n", run.failed ? "failed" : "refused", first_line(run.variant.refused));
       continue;
     }
-    text += fmt::format("{:>10.2f} s{:>10.2f} s{:>10.2f} s{:>14}{:>14}", run.source_cpu_seconds,
-                        run.domain_cpu_seconds, run.wall_seconds, percent(run.free_field),
-                        percent(run.free_field_to_exact));
-    for (const Difference& monitor : run.monitors)
-      text += fmt::format("{:>{}}", percent(monitor.relative_l2), width(monitor));
+    text += fmt::format("{:>10.2f} s{:>10.2f} s{:>10.2f} s{:>14}{:>14}", run.cost.sources, run.cost.domain,
+                        run.cost.wall, percent(run.free_field), percent(run.free_field_to_exact));
+    for (const AtMonitor& monitor : run.monitors)
+      text += fmt::format("{:>{}}", percent(monitor.difference), width(monitor));
     text += '\n';
   }
   return text +
          fmt::format("Differences: relative L2 of particle velocity, to '{}' where nothing else is said.\n",
-                     scene::name(first->model)) +
+                     first->model()) +
          ratio_text(runs, *first);
 }
 
 std::string swap_json(const std::vector<SwappedRun>& runs) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const SwappedRun& run : runs) {
-    nlohmann::ordered_json entry = {{"model", scene::name(run.model)}, {"refused", run.refused}};
-    if (run.refused.empty()) {
-      entry["source_cpu_s"] = run.source_cpu_seconds;
-      entry["domain_cpu_s"] = run.domain_cpu_seconds;
-      entry["wall_s"] = run.wall_seconds;
+    nlohmann::ordered_json entry = {{"model", run.model()}, {"refused", run.variant.refused}};
+    if (run.ran()) {
+      entry["source_cpu_s"] = run.cost.sources;
+      entry["domain_cpu_s"] = run.cost.domain;
+      entry["wall_s"] = run.cost.wall;
       if (run.free_field)
         entry["free_field"] = *run.free_field;
       if (run.free_field_to_exact)
         entry["free_field_to_exact"] = *run.free_field_to_exact;
-      for (const Difference& monitor : run.monitors)
-        entry["monitors"][monitor.where] = monitor.relative_l2;
-      for (const PorePressureRatio& ratio : run.pore_pressure_ratio)
-        entry["pore_pressure_ratio"][ratio.where] = {{"mean", ratio.mean},
-                                                     {"rms_difference", ratio.rms_difference}};
+      for (const AtMonitor& monitor : run.monitors) {
+        entry["monitors"][monitor.name] = monitor.difference;
+        if (const auto& ratio = monitor.ratio)
+          entry["pore_pressure_ratio"][monitor.name] = {{"mean", ratio->mean},
+                                                        {"rms_difference", ratio->rms_difference}};
+      }
     }
     json.push_back(std::move(entry));
   }

@@ -2,9 +2,7 @@
 
 // Comparison of a case under several free-field models: the effect of the model's choice, and its cost.
 
-#include "app/free_field/free_field_series.hpp"
-#include "app/run/case_run.hpp"
-#include "results/run_file.hpp"
+#include "app/study/run_variant.hpp"
 #include "scene/case.hpp"
 
 #include <filesystem>
@@ -14,44 +12,38 @@
 
 namespace tremolo::app {
 
-/// Difference of two motions, sqrt(sum |v - r|^2 / sum |r|^2) over both components and all times, where v is
-/// the particle velocity and r that of the reference.
-struct Difference {
-  std::string where; ///< monitor
-  double relative_l2 = 0.0;
-};
-
-/// r_u at a monitor over the run.
+/// r_u over a run.
 struct PorePressureRatio {
-  std::string where; ///< monitor
   double mean = 0.0;
-  double rms_difference = 0.0; ///< to that of the first model
+  double rms_difference = 0.0; ///< to that of the first model that ran
 };
 
-/// One model's run.
+struct AtMonitor {
+  std::string name;
+  double difference = 0.0;                ///< of the velocity, relative to that of the first model that ran
+  std::optional<PorePressureRatio> ratio; ///< none where there is no pore pressure
+};
+
+/// One model's run. Free fields of sides that differ in ground or surface are compared at the worse one.
 struct SwappedRun {
-  scene::SourceModel model = scene::SourceModel::wave;
-  std::string refused;              ///< why the case cannot take this model; empty if it ran to its end
-  bool failed = false;              ///< it was taken, but its run failed
-  std::vector<Difference> monitors; ///< to the first model that ran
-  std::vector<PorePressureRatio> pore_pressure_ratio; ///< at the monitors that have pore pressure
-  /// Relative L2 of the free field to that of the first model; of the worse side where the sides differ in
-  /// ground or surface. None where either cannot be computed for itself.
-  std::optional<double> free_field;
-  std::optional<double>
-      free_field_to_exact; ///< and to plane waves in the layers, where these can be computed
-  double source_cpu_seconds = 0.0;
-  double domain_cpu_seconds = 0.0;
-  double wall_seconds = 0.0;
+  Variant variant;
+  bool failed = false; ///< it is a case, but its run failed
+  RunCost cost{};
+  std::vector<AtMonitor> monitors{};
+  std::optional<double> free_field{}; ///< relative to that of the first model; none where one is not known
+  std::optional<double> free_field_to_exact{}; ///< and to plane waves in the layers
+
+  const std::string& model() const { return variant.name; }
+  bool ran() const { return variant.refused.empty(); }
 };
 
-/// Runs the case with each model for both sides and the base, each in a folder of its name.
-/// @param given   the case as read
-/// @param run     how; its folder takes one folder a model
-/// A run that fails is said in its entry, and the others go on.
+/// Runs the case with each model for both sides and the base, each in a folder of its name. A run that fails
+/// says so in its entry, and the others go on.
+/// @param given  the case as read
+/// @param out    takes one folder a model
 /// @throws Exit where the user interrupts a run
 std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
-                                    const CaseRun& run);
+                                    const std::filesystem::path& out, int threads);
 
 /// The table for people.
 std::string swap_text(const std::vector<SwappedRun>& runs);

@@ -63,11 +63,7 @@ scene::Axis made_motions(const scene::Study& study, const fs::path& folder) {
   motion::SynthesisRecipe recipe = noise_recipe(study);
   const fs::path motions = fs::absolute(folder / "motions").lexically_normal();
   make_folder(motions);
-  scene::Axis axis{.key = std::string(scene::record_key),
-                   .unit = "",
-                   .place = study.motions->place,
-                   .values = {},
-                   .range = {}};
+  scene::Axis axis{.key = std::string(scene::record_key), .place = study.motions->place};
   for (int i = 0; i < study.motions->count; ++i) {
     const auto made = motion::synthesise(recipe);
     const fs::path file = motions / fmt::format("seed_{}.AT2", made.recipe.seed);

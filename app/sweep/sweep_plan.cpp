@@ -1,5 +1,6 @@
 #include "app/sweep/sweep_plan.hpp"
 
+#include "app/study/variant.hpp"
 #include "base/text_file.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "motion/band_limited.hpp"
@@ -100,13 +101,6 @@ std::size_t axis_at(const std::vector<scene::Axis>& axes, const std::string& tex
       found = a;
   }
   return found;
-}
-
-std::string setting(const std::vector<scene::Axis>& axes, const Combination& values) {
-  std::string text;
-  for (std::size_t a = 0; a < axes.size(); ++a)
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", axes[a].key, values[a].shown);
-  return text;
 }
 
 /// Reports what is wrong with the case of a run, at the places in the study that it comes from.

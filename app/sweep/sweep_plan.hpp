@@ -2,7 +2,7 @@
 
 // Plan of a sweep: the checked case of every combination, and the properties known before it runs.
 
-#include "app/sweep/design.hpp"
+#include "app/study/design.hpp"
 #include "motion/measures.hpp"
 #include "scene/case.hpp"
 #include "scene/study.hpp"

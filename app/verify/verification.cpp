@@ -12,22 +12,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string_view>
 
 namespace tremolo::app {
 namespace {
-
-/// A column of a series.
-std::vector<double> column(const results::SeriesData& series, std::string_view name) {
-  const auto found = std::ranges::find(series.columns, name);
-  if (found == series.columns.end())
-    throw std::runtime_error(fmt::format("a series of the run has no column '{}'", name));
-  std::vector<double> values;
-  for (auto i = static_cast<std::size_t>(found - series.columns.begin()); i < series.values.size();
-       i += series.columns.size())
-    values.push_back(series.values[i]);
-  return values;
-}
 
 double largest(const std::vector<double>& values) {
   double size = 0.0;
@@ -43,13 +30,13 @@ std::vector<PointHistory> monitor_histories(const results::RunReader& run) {
     if (series.rows() == 0)
       continue;
     points.push_back({.name = name,
-                      .x = column(series, "x").front() - column(series, "ux").front(),
-                      .y = column(series, "y").front() - column(series, "uy").front(),
-                      .time = column(series, "time"),
+                      .x = series.column("x").front() - series.column("ux").front(),
+                      .y = series.column("y").front() - series.column("uy").front(),
+                      .time = series.column("time"),
                       .exact_vx = {},
                       .exact_vy = {},
-                      .vx = column(series, "vx"),
-                      .vy = column(series, "vy")});
+                      .vx = series.column("vx"),
+                      .vy = series.column("vy")});
   }
   return points;
 }
@@ -114,10 +101,10 @@ std::optional<double> energy_residual(const results::RunReader& run) {
   if (!run.has_table("/energy"))
     return std::nullopt;
   const results::SeriesData ledger = run.series("/energy");
-  const double kinetic = largest(column(ledger, "kinetic"));
+  const double kinetic = largest(ledger.column("kinetic"));
   if (kinetic == 0.0)
     return std::nullopt;
-  return largest(column(ledger, "residual")) / kinetic;
+  return largest(ledger.column("residual")) / kinetic;
 }
 
 } // namespace

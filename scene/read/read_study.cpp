@@ -82,8 +82,7 @@ private:
   }
 
   void read_node(const std::string& key, const toml::key& name, const toml::node& node) {
-    Axis axis{
-        .key = key, .unit = unit_of(key), .place = axis_place(name.source()), .values = {}, .range = {}};
+    Axis axis{.key = key, .unit = unit_of(key), .place = axis_place(name.source())};
     if (const auto* table = node.as_table()) {
       if (is_range(*table))
         read_range(std::move(axis), *table);

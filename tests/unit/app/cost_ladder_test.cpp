@@ -22,11 +22,20 @@ scene::Case given() {
   return scene::parse(tremolo::testing::exact_case, "case.toml", ".");
 }
 
+std::vector<std::string> shown(const scene::Axis& axis) {
+  std::vector<std::string> all;
+  for (const scene::AxisValue& value : axis.values)
+    all.push_back(value.shown);
+  return all;
+}
+
 TEST(Knob, ValuesArePartedByCommasOutsideOfBrackets) {
-  const Knob knob = knob_from("mesh.refine=[], [{box=[0,1], level=1}] ,none");
-  EXPECT_EQ(knob.key, "mesh.refine");
-  EXPECT_THAT(knob.values, ElementsAre("[]", "[{box=[0,1], level=1}]", "none"));
-  EXPECT_THAT(knob_from("a=\"x,y\",z").values, ElementsAre("\"x,y\"", "z"));
+  const scene::Axis refine = knob_from("mesh.refine=[], [{box=[0,1], level=1}] ,none");
+  EXPECT_EQ(refine.key, "mesh.refine");
+  EXPECT_THAT(shown(refine), ElementsAre("[]", "[{box=[0,1], level=1}]", "none"));
+  EXPECT_EQ(refine.values.back().toml, "");
+  EXPECT_THAT(shown(knob_from("a=\"x,y\",z")), ElementsAre("\"x,y\"", "z"));
+  EXPECT_EQ(knob_from("a=z").values.front().toml, "\"z\"");
 }
 
 TEST(Knob, WhatIsNotWrittenSoIsRefused) {
@@ -41,28 +50,29 @@ TEST(Knob, WhatIsNotWrittenSoIsRefused) {
 TEST(Ladder, IsEveryCombination) {
   const auto scene = given();
   const double h = scene.mesh.size;
-  const std::vector<Knob> knobs{knob_from("time.transfer=flip,apic"),
-                                {size_key, {std::to_string(h), std::to_string(0.5 * h)}}};
+  const std::vector<scene::Axis> knobs{knob_from("time.transfer=flip,apic"),
+                                       knob(size_key, {std::to_string(h), std::to_string(0.5 * h)})};
   const auto rungs = ladder(scene, knobs);
   ASSERT_EQ(rungs.size(), 4U);
   std::set<std::string> folders;
-  for (const Rung& rung : rungs) {
+  for (const Variant& rung : rungs) {
     ASSERT_TRUE(rung.scene) << rung.refused;
-    folders.insert(folder_name(knobs, rung.values));
+    folders.insert(rung.name);
   }
   EXPECT_EQ(folders.size(), 4U);
   EXPECT_EQ(rungs[1].scene->time.transfer, scene::Transfer::flip);
   EXPECT_DOUBLE_EQ(rungs[1].scene->mesh.size, 0.5 * h);
   EXPECT_EQ(rungs[2].scene->time.transfer, scene::Transfer::apic);
   EXPECT_DOUBLE_EQ(rungs[2].scene->mesh.size, h);
-  EXPECT_EQ(setting(knobs, rungs[2].values, size_key), "time.transfer = apic");
+  EXPECT_EQ(family(knobs, rungs[2].values), "time.transfer = apic");
 }
 
 TEST(Ladder, AKnobOfOneValueIsSetButNotNamed) {
-  const std::vector<Knob> knobs{knob_from("time.transfer=flip,apic"), knob_from("time.fraction=0.25")};
+  const std::vector<scene::Axis> knobs{knob_from("time.transfer=flip,apic"), knob_from("time.fraction=0.25")};
   const auto rungs = ladder(given(), knobs);
   EXPECT_DOUBLE_EQ(rungs[0].scene->time.fraction, 0.25);
-  EXPECT_EQ(setting(knobs, rungs[0].values), "time.transfer = flip");
+  EXPECT_EQ(family(knobs, rungs[0].values), "time.transfer = flip");
+  EXPECT_EQ(setting(knobs, rungs[0].values), "time.transfer = flip, time.fraction = 0.25");
 }
 
 TEST(Ladder, AKeyThatNoCaseHasIsRefusedWithTheNearestOne) {
@@ -93,7 +103,7 @@ TEST(Ladder, LevelsAndStepsOfTheirOwnAreKnobsToo) {
                                   "case.toml", ".");
   const auto rungs = ladder(scene, {knob_from("refine[0].level=1,2"), knob_from("time.subcycle=false,true")});
   ASSERT_EQ(rungs.size(), 4U);
-  for (const Rung& rung : rungs)
+  for (const Variant& rung : rungs)
     ASSERT_TRUE(rung.scene) << rung.refused;
   EXPECT_EQ(rungs[0].scene->mesh.refine[0].level, 1);
   EXPECT_EQ(rungs[3].scene->mesh.refine[0].level, 2);
@@ -105,7 +115,7 @@ TEST(Ladder, WidthMovesTheSidesAndTheSoilWithThem) {
   const auto scene = given();
   const scene::Box& box = scene.mesh.box;
   const double width = 2.0 * box.width();
-  const auto rungs = ladder(scene, {{width_key, {std::to_string(width)}}});
+  const auto rungs = ladder(scene, {knob(width_key, {std::to_string(width)})});
   ASSERT_TRUE(rungs[0].scene) << rungs[0].refused;
   const scene::Box& wide = rungs[0].scene->mesh.box;
   EXPECT_DOUBLE_EQ(wide.width(), width);
@@ -115,22 +125,19 @@ TEST(Ladder, WidthMovesTheSidesAndTheSoilWithThem) {
     const double before = scene.regions[0].polygon[i].x;
     EXPECT_DOUBLE_EQ(rungs[0].scene->regions[0].polygon[i].x, before == box.x_min ? wide.x_min : wide.x_max);
   }
-  EXPECT_THAT(
-      [&] {
-        ladder(scene, {{width_key, {"-3"}}});
-      },
-      ThrowsMessage<std::invalid_argument>(HasSubstr("a width is a positive number")));
+  EXPECT_THAT([&] { ladder(scene, {knob(width_key, {"-3"})}); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("a width is a positive number")));
 }
 
 TEST(Ladder, FindsTheLargestSizeThatTheCaseTakes) {
   const auto scene = given();
-  const std::vector<Knob> knobs{{size_key, {std::to_string(scene.mesh.size)}}};
+  const std::vector<scene::Axis> knobs{knob(size_key, {std::to_string(scene.mesh.size)})};
   const double wanted = 0.93 * scene.mesh.size;
-  const auto size = admissible_size(scene, knobs, {"?"}, wanted);
+  const auto size = admissible_size(scene, knobs, {knob_value("?")}, wanted);
   ASSERT_TRUE(size);
   EXPECT_LE(*size, wanted);
   EXPECT_GT(*size, 0.5 * wanted);
-  EXPECT_TRUE(rung_with(scene, knobs, {fmt::format("{}", *size)}).refused.empty());
+  EXPECT_TRUE(rung(scene, knobs, {knob_value(fmt::format("{}", *size))}).scene);
 }
 
 TEST(Ladder, TheDefaultOneIsTakenByTheCase) {

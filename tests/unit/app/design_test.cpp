@@ -1,4 +1,4 @@
-#include "app/sweep/design.hpp"
+#include "app/study/design.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@ namespace tremolo::app {
 namespace {
 
 scene::Axis array(const std::string& key, const std::vector<std::string>& values) {
-  scene::Axis axis{.key = key, .unit = "", .place = {}, .values = {}, .range = {}};
+  scene::Axis axis{.key = key};
   for (const std::string& value : values)
     axis.values.push_back({value, value, {}});
   return axis;
 }
 
 scene::Axis range(double low, double high, scene::RangeScale scale) {
-  return {.key = "k", .unit = "", .place = {}, .values = {}, .range = scene::AxisRange{low, high, scale}};
+  return {.key = "k", .range = scene::AxisRange{low, high, scale}};
 }
 
 scene::Study study(scene::SweepDesign design, int samples = 0) {

@@ -98,6 +98,12 @@ TEST(RunFile, ReturnsWhatWasWritten) {
   ASSERT_EQ(toe.rows(), 120U);
   const auto last = monitor_row(119);
   EXPECT_TRUE(std::equal(last.begin(), last.end(), toe.values.end() - 9));
+  const std::vector<double> second = toe.column(monitor_columns[1]);
+  ASSERT_EQ(second.size(), 120U);
+  EXPECT_EQ(second.back(), last[1]);
+  EXPECT_FALSE(toe.has("nothing"));
+  EXPECT_THAT([&] { toe.column("nothing"); },
+              ThrowsMessage<std::runtime_error>("a series of the run has no column 'nothing'"));
   EXPECT_EQ(run.series("/monitors/crest").rows(), 0U);
 }
 

@@ -21,7 +21,10 @@ using Combination = std::vector<scene::AxisValue>;
 std::vector<std::vector<double>> latin_hypercube(std::size_t samples, std::size_t dimensions,
                                                  std::uint32_t seed);
 
-/// All runs of a study; of a product the last axis turns fastest. An axis with one value has it in every run.
+/// Every combination of the values of some axes; the last axis turns fastest.
+std::vector<Combination> product(const std::vector<scene::Axis>& axes);
+
+/// The combinations of a study's design. An axis with one value has it in every run.
 /// @param axes  of the study, with the motions that were made for it
 std::vector<Combination> combinations(const scene::Study& study, const std::vector<scene::Axis>& axes);
 

@@ -1,4 +1,4 @@
-#include "app/sweep/design.hpp"
+#include "app/study/design.hpp"
 
 #include "base/random/variates.hpp"
 
@@ -33,6 +33,19 @@ scene::AxisValue sampled(const scene::Axis& axis, double at) {
   return {text, text, axis.place};
 }
 
+std::vector<Combination> list(const std::vector<scene::Axis>& axes) {
+  std::size_t length = 1;
+  for (const scene::Axis& axis : axes)
+    length = std::max(length, axis.values.size());
+  std::vector<Combination> all(length);
+  for (std::size_t i = 0; i < length; ++i)
+    for (const scene::Axis& axis : axes)
+      all[i].push_back(axis.values[axis.values.size() == 1 ? 0 : i]);
+  return all;
+}
+
+} // namespace
+
 std::vector<Combination> product(const std::vector<scene::Axis>& axes) {
   std::vector<Combination> all(1);
   for (const scene::Axis& axis : axes) {
@@ -47,19 +60,6 @@ std::vector<Combination> product(const std::vector<scene::Axis>& axes) {
   }
   return all;
 }
-
-std::vector<Combination> list(const std::vector<scene::Axis>& axes) {
-  std::size_t length = 1;
-  for (const scene::Axis& axis : axes)
-    length = std::max(length, axis.values.size());
-  std::vector<Combination> all(length);
-  for (std::size_t i = 0; i < length; ++i)
-    for (const scene::Axis& axis : axes)
-      all[i].push_back(axis.values[axis.values.size() == 1 ? 0 : i]);
-  return all;
-}
-
-} // namespace
 
 std::vector<std::vector<double>> latin_hypercube(std::size_t samples, std::size_t dimensions,
                                                  std::uint32_t seed) {
