@@ -106,13 +106,6 @@ std::vector<std::size_t> pareto_front(std::span<const CostPoint> points) {
   return front;
 }
 
-std::optional<std::size_t> cheapest(std::span<const CostPoint> points, double target) {
-  for (const std::size_t i : pareto_front(points))
-    if (points[i].error <= target)
-      return i;
-  return std::nullopt;
-}
-
 std::vector<CostFit> fits(std::span<const CostPoint> points) {
   std::vector<CostFit> all;
   for (const CostPoint& first : points) {

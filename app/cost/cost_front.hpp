@@ -29,10 +29,7 @@ struct CostPoint {
 /// Indices of the points on the Pareto front, by growing CPU time.
 std::vector<std::size_t> pareto_front(std::span<const CostPoint> points);
 
-/// The point of least CPU time whose error is at most `target`; none where there is none.
-std::optional<std::size_t> cheapest(std::span<const CostPoint> points, double target);
-
-/// Error and CPU time of a family as power laws of the cell size, fitted to its points.
+/// What a family's points have in common.
 struct CostFit {
   std::string family;
   std::size_t points = 0;

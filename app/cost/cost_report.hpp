@@ -1,19 +1,15 @@
 #pragma once
 
-// Output of `tremolo cost`: the table for people, cost.csv, and cost.json for the picture.
+// What `tremolo cost` has found, and cost.json, from which the tables and the picture are made.
 
 #include "app/cost/cost_front.hpp"
 #include "app/study/variant.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace tremolo::app {
-
-/// The last columns of cost.csv, behind the knobs.
-inline constexpr const char* cost_columns = "relative_error,phase_lag_s,cpu_s,particle_updates,front";
 
 /// A rung and what became of it.
 struct CostRung {
@@ -45,10 +41,6 @@ struct CostStudy {
   std::vector<CostPoint> points() const;
 };
 
-std::string cost_text(const CostStudy& study);
-
-/// Writes cost.csv and cost.json.
-/// @throws std::runtime_error where they cannot be written
-void write_cost(const CostStudy& study, const std::filesystem::path& folder);
+std::string cost_json(const CostStudy& study);
 
 } // namespace tremolo::app

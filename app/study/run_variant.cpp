@@ -1,6 +1,5 @@
-#include "app/study/run_variant.hpp"
-
 #include "app/run/case_run.hpp"
+#include "app/study/variant.hpp"
 
 #include <algorithm>
 

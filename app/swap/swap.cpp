@@ -44,20 +44,16 @@ std::optional<PorePressureRatio> ratio_at(const std::string& monitor, const resu
 /// another.
 using SideFields = std::vector<FreeFieldSeries>;
 
-double difference(const FreeFieldSeries& field, const FreeFieldSeries& reference) {
-  Squares squares;
-  for (std::size_t i = 0; i < field.samples.size(); ++i) {
-    squares.add(field.samples[i].vx, reference.samples[i].vx);
-    squares.add(field.samples[i].vy, reference.samples[i].vy);
-  }
-  return squares.relative();
-}
-
-/// The larger of the two sides' differences.
+/// Of the worse side.
 double difference(const SideFields& fields, const SideFields& reference) {
   double worst = 0.0;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    worst = std::max(worst, difference(fields[i], reference[i]));
+  for (std::size_t side = 0; side < fields.size(); ++side) {
+    Squares squares;
+    for (std::size_t i = 0; i < fields[side].samples.size(); ++i)
+      for (const auto component : {&freefield::ColumnSample::vx, &freefield::ColumnSample::vy})
+        squares.add(fields[side].samples[i].*component, reference[side].samples[i].*component);
+    worst = std::max(worst, squares.relative());
+  }
   return worst;
 }
 
@@ -76,11 +72,9 @@ FreeFieldSeries side_field(const scene::Case& scene, scene::SourceProcess source
   constexpr double dt = 0.005; // s
   const double surface = source.surface;
   const double base = scene.mesh.box.y_min;
-  std::vector<double> levels;
-  levels.reserve(intervals + 1);
+  std::vector<double> levels(intervals + 1, surface);
   for (int i = 0; i < intervals; ++i)
-    levels.push_back(base + (surface - base) * i / intervals);
-  levels.push_back(surface);
+    levels[static_cast<std::size_t>(i)] = base + (surface - base) * i / intervals;
   const auto count = static_cast<std::size_t>(scene.end() / dt) + 1;
   source.field = {model, {}};
   return free_field_series(scene, source, std::move(levels), {0.0, dt, count}, x);
@@ -129,40 +123,6 @@ void print_linearised(const scene::Case& scene) {
 /// Exit statuses above this one are 128 + the signal by which the user ended the run.
 constexpr int interrupted = 128;
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
-/// r_u at the monitors, a line a model; empty where there is no pore pressure.
-std::string ratio_text(const std::vector<SwappedRun>& runs, const SwappedRun& first) {
-  std::vector<std::size_t> wet;
-  std::string text = fmt::format("\n{:<10}", "r_u");
-  const auto width = [&](std::size_t m) {
-    return std::max<std::size_t>(18, first.monitors[m].name.size() + 3);
-  };
-  for (std::size_t m = 0; m < first.monitors.size(); ++m)
-    if (first.monitors[m].ratio) {
-      wet.push_back(m);
-      text += fmt::format("{:>{}}", first.monitors[m].name, width(m));
-    }
-  for (const SwappedRun& run : runs) {
-    if (!run.ran())
-      continue;
-    text += fmt::format("\n{:<10}", run.model());
-    for (const std::size_t m : wet) {
-      const auto& ratio = run.monitors[m].ratio;
-      text += fmt::format("{:>{}}",
-                          ratio ? fmt::format("{:.3f} ({:.3f})", ratio->mean, ratio->rms_difference) : "-",
-                          width(m));
-    }
-  }
-  if (wet.empty())
-    return {};
-  return text +
-         fmt::format("\nMean of the run, in brackets the root mean square of the difference to '{}'.\n",
-                     first.model());
-}
-
 } // namespace
 
 std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
@@ -209,43 +169,11 @@ std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<
   return swapped;
 }
 
-std::string swap_text(const std::vector<SwappedRun>& runs) {
-  const auto percent = [](const std::optional<double>& value) {
-    return value ? fmt::format("{:.3f} %", 100.0 * *value) : std::string("-");
-  };
-  const auto width = [](const AtMonitor& monitor) {
-    return std::max<std::size_t>(14, monitor.name.size() + 3);
-  };
-  const auto first = std::ranges::find_if(runs, &SwappedRun::ran);
-  if (first == runs.end())
-    return "no model can compute this case\n";
-  std::string text = fmt::format("{:<10}{:>12}{:>12}{:>12}{:>14}{:>14}", "model", "source CPU", "domain CPU",
-                                 "wall", "free field", "to exact");
-  for (const AtMonitor& monitor : first->monitors)
-    text += fmt::format("{:>{}}", monitor.name, width(monitor));
-  text += '\n';
-  for (const SwappedRun& run : runs) {
-    text += fmt::format("{:<10}", run.model());
-    if (!run.ran()) {
-      text += fmt::format("  {}: {}\n", run.failed ? "failed" : "refused", first_line(run.variant.refused));
-      continue;
-    }
-    text += fmt::format("{:>10.2f} s{:>10.2f} s{:>10.2f} s{:>14}{:>14}", run.cost.sources, run.cost.domain,
-                        run.cost.wall, percent(run.free_field), percent(run.free_field_to_exact));
-    for (const AtMonitor& monitor : run.monitors)
-      text += fmt::format("{:>{}}", percent(monitor.difference), width(monitor));
-    text += '\n';
-  }
-  return text +
-         fmt::format("Differences: relative L2 of particle velocity, to '{}' where nothing else is said.\n",
-                     first->model()) +
-         ratio_text(runs, *first);
-}
-
 std::string swap_json(const std::vector<SwappedRun>& runs) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const SwappedRun& run : runs) {
-    nlohmann::ordered_json entry = {{"model", run.model()}, {"refused", run.variant.refused}};
+    nlohmann::ordered_json entry = {
+        {"model", run.model()}, {"refused", run.variant.refused}, {"failed", run.failed}};
     if (run.ran()) {
       entry["source_cpu_s"] = run.cost.sources;
       entry["domain_cpu_s"] = run.cost.domain;

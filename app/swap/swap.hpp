@@ -2,7 +2,7 @@
 
 // Comparison of a case under several free-field models: the effect of the model's choice, and its cost.
 
-#include "app/study/run_variant.hpp"
+#include "app/study/variant.hpp"
 #include "scene/case.hpp"
 
 #include <filesystem>
@@ -45,10 +45,7 @@ struct SwappedRun {
 std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
                                     const std::filesystem::path& out, int threads);
 
-/// The table for people.
-std::string swap_text(const std::vector<SwappedRun>& runs);
-
-/// That table as JSON, for the picture.
+/// What was compared, as JSON.
 std::string swap_json(const std::vector<SwappedRun>& runs);
 
 } // namespace tremolo::app

@@ -41,20 +41,19 @@ std::string study_name(const fs::path& file) {
 
 /// The recipe of a study's motions.
 motion::SynthesisRecipe noise_recipe(const scene::Study& study) {
-  const auto& file = study.motions->recipe;
-  const auto refuse = [&](const std::string& why) {
-    scene::Findings findings(study.file.string());
-    findings.add("motions.recipe", study.motions->place, why);
-    findings.throw_if_any();
-  };
+  const auto& [file, count, place] = *study.motions;
+  scene::Findings findings(study.file.string());
   try {
     const auto recipe = motion::read_recipe(file);
     if (const auto* noise = std::get_if<motion::SynthesisRecipe>(&recipe.what))
       return *noise;
-    refuse(fmt::format("{}: a pulse has no seed: write [target], [filter] and [envelope]", file.string()));
+    findings.add(
+        "motions.recipe", place,
+        fmt::format("{}: a pulse has no seed: write [target], [filter] and [envelope]", file.string()));
   } catch (const motion::RecordError& error) {
-    refuse(error.what());
+    findings.add("motions.recipe", place, error.what());
   }
+  findings.throw_if_any();
   return {};
 }
 

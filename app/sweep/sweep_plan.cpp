@@ -152,39 +152,31 @@ std::string inputs_of(const scene::Case& scene) {
   return inputs;
 }
 
-SweepRun run_of(const scene::Case& scene, const Combination& values) {
-  return {.values = values,
-          .model = {},
-          .text = scene.text,
-          .recording_text = scene::with_value(scene.text, "record.exchange", "true"),
-          .inputs = inputs_of(scene),
-          .free_fields = coupler::free_field_identity(scene),
-          .motion = incident_measures(scene, scene.end())};
-}
-
-/// The first line of its case keeps apart the runs that differ in their model alone.
-SweepRun site_response_of(const scene::Case& scene, const Combination& values, scene::SourceModel model,
-                          const std::optional<motion::Measures>& motion) {
-  return {.values = values,
-          .model = model,
-          .text = fmt::format("# For `tremolo column --model {}`.\n{}", scene::name(model), scene.text),
-          .recording_text = {},
-          .inputs = inputs_of(scene),
-          .free_fields = {},
-          .motion = motion};
-}
-
-/// The runs of a combination: one, or one a model.
+/// The runs of a combination: one of the domain, or a site response a model. The first line of their cases
+/// keeps apart site responses that differ in their model alone.
 std::vector<SweepRun> runs_of(const scene::Study& study, const std::string& text, const Combination& values,
                               const scene::Case& given) {
-  if (study.models.empty())
-    return {run_of(scene::parse(text, given.file, given.directory), values)};
+  if (study.models.empty()) {
+    const auto scene = scene::parse(text, given.file, given.directory);
+    return {{.values = values,
+             .model = {},
+             .text = text,
+             .recording_text = scene::with_value(text, "record.exchange", "true"),
+             .inputs = inputs_of(scene),
+             .free_fields = coupler::free_field_identity(scene),
+             .motion = incident_measures(scene, scene.end())}};
+  }
   std::vector<SweepRun> runs;
   for (const scene::SourceModel model : study.models) {
     const auto scene = scene::parse_free_field(text, given.file, given.directory, model);
-    // A site response goes on until the wave is over; its motion is that of all models.
-    const auto motion = runs.empty() ? incident_measures(scene, HUGE_VAL) : runs.front().motion;
-    runs.push_back(site_response_of(scene, values, model, motion));
+    runs.push_back({.values = values,
+                    .model = model,
+                    .text = fmt::format("# For `tremolo column --model {}`.\n{}", scene::name(model), text),
+                    .recording_text = {},
+                    .inputs = inputs_of(scene),
+                    .free_fields = {},
+                    // Until the wave is over; it is the motion of all models.
+                    .motion = runs.empty() ? incident_measures(scene, HUGE_VAL) : runs.front().motion});
   }
   return runs;
 }

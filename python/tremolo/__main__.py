@@ -211,12 +211,12 @@ def deconvolution_picture(arguments):
                                 arguments.title)
 
 
-def swap_picture(arguments):
-    yield swap.picture(arguments.path)
+def swap_report(arguments):
+    yield from swap.report(arguments.path)
 
 
-def cost_picture(arguments):
-    yield cost.picture(arguments.path)
+def cost_report(arguments):
+    yield from cost.report(arguments.path)
 
 
 def safety_picture(arguments):
@@ -319,9 +319,9 @@ def _parser():
     units = list(record.STRESS_UNITS)
     tested.add_argument("--stress-unit", choices=units, default=units[0],
                         help="of the stresses in REF.csv (default kPa); `tremolo soiltest --out X.csv` writes Pa")
-    swapped = add("swap", swap_picture, "Picture of one case under several free-field models.")
+    swapped = add("swap", swap_report, "Table and picture of one case under several free-field models.")
     swapped.add_argument("path", help="the folder that `tremolo swap` wrote")
-    costly = add("cost-picture", cost_picture, "Work-precision diagram of a ladder of settings.")
+    costly = add("cost-table", cost_report, "Tables and work-precision diagram of a ladder of settings.")
     costly.add_argument("path", help="the folder that `tremolo cost` wrote")
     safe = add("safety-picture", safety_picture, "The soil that fails in a strength reduction.")
     safe.add_argument("path", help="the folder that `tremolo safety` wrote")

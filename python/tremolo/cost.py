@@ -1,5 +1,7 @@
-"""The work-precision diagram that `tremolo cost` measures: error against CPU time and against cell size."""
+"""What `tremolo cost` has measured: its table in words and as cost.csv, and the work-precision diagram, error against CPU time and
+against cell size."""
 
+import csv
 import json
 import re
 from pathlib import Path
@@ -77,6 +79,67 @@ def draw(folder):
     return figure
 
 
-def picture(folder):
-    """cost.png in the folder that holds cost.json."""
-    return style.save(draw(folder), Path(folder), "cost.png")
+def _line(rung):
+    """What a rung has cost, beside its knobs."""
+    if "refused" in rung:
+        return f"  refused: {rung['refused']}"
+    error = f"{100 * rung['error']:.3g} %" if "error" in rung else "reference"
+    lag = f"{1000 * rung['phase_lag_s']:.3f} ms" if rung["phase_lag_s"] else "-"
+    return f"{error:>11}{lag:>11}{rung['cpu_s']:>10.2f} s{rung['updates']:>12.3g}{'  *' if rung['front'] else ''}"
+
+
+def _fit(fit, rungs):
+    def within(spread):
+        return f"within {100 * (spread - 1):.2g} %" if fit["points"] > 2 else "two points, unchecked"
+
+    size = min(rung["size"] for rung in rungs if rung.get("family") == fit["family"] and "error" in rung)
+    error = 100 * fit["constant"] * size ** fit["order"]
+    return (f"  {fit['family'] or 'all'}: error {error:.3g} % (h/{size:g} m)^{fit['order']:.2f} ({within(fit['error_spread'])}), "
+            f"CPU time {fit['start_s']:.2g} s + {1e9 * fit['per_update_s']:.3g} ns an update ({within(fit['time_spread'])})")
+
+
+def _answer(study):
+    """What reaches the target."""
+    target = f"{100 * study['target']:.3g} %"
+
+    def costs(found):
+        setting = f"{found['family']}{', ' if found['family'] else ''}mesh.size = {found['size']:g}"
+        return f"{target} with {setting}: error {100 * found['error']:.3g} %, {found['cpu_s']:.3g} s of CPU time"
+
+    good = [rung for rung in study["rungs"] if rung.get("front") and rung["error"] <= study["target"]]
+    yield "measured: " + (costs(min(good, key=lambda rung: rung["cpu_s"])) if good else f"no rung reaches {target}")
+    predicted = study.get("prediction")
+    yield "predicted: " + (f"{costs(predicted)}; not run, by the fit" if predicted else "nothing, no fit of these rungs reaches so far")
+
+
+def words(study):
+    """The lines of the table, of the fits and of what reaches the target."""
+    rungs = study["rungs"]
+    widths = {key: 2 + max(len(key), *(len(rung["knobs"][key]) for rung in rungs)) for key in rungs[0]["knobs"]}
+    yield study["title"]
+    yield "".join(f"{key:<{width}}" for key, width in widths.items()) + f"{'error':>11}{'lag':>11}{'CPU time':>12}{'updates':>12}"
+    for rung in rungs:
+        yield "".join(f"{rung['knobs'][key]:<{width}}" for key, width in widths.items()) + _line(rung)
+    yield f"error: {study['error_of']}; CPU time: user and system, of all processes; *: on the Pareto front"
+    if study["fits"]:
+        yield "fits along mesh.size:"
+    yield from (_fit(fit, rungs) for fit in study["fits"])
+    if "target" in study:
+        yield from _answer(study)
+
+
+def write_table(study, path):
+    """cost.csv: a line a rung that was run; the error of the reference is 0."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow([*study["rungs"][0]["knobs"], "relative_error", "phase_lag_s", "cpu_s", "particle_updates", "front"])
+        table.writerows([*rung["knobs"].values(), rung.get("error", 0), *(rung[key] for key in ("phase_lag_s", "cpu_s", "updates")),
+                         int(rung["front"])] for rung in study["rungs"] if "refused" not in rung)
+
+
+def report(folder):
+    """Says what cost.json holds, and writes cost.csv and cost.png beside it."""
+    study = read(folder)
+    yield from words(study)
+    write_table(study, Path(folder) / "cost.csv")
+    yield style.save(draw(folder), Path(folder), "cost.png")

@@ -1,4 +1,4 @@
-"""The picture of one case under several free-field models: what `tremolo swap` compares."""
+"""One case under several free-field models, as `tremolo swap` compares them: its table in words, and the picture."""
 
 import json
 from pathlib import Path
@@ -64,6 +64,45 @@ def draw(folder):
     return figure
 
 
-def picture(folder):
-    """Writes swap.png in the folder."""
-    return style.save(draw(folder), Path(folder), "swap.png")
+def _ratios(ran):
+    """The lines of r_u at the monitors that have pore pressure; none where there is no such monitor."""
+    wet = {name: max(18, len(name) + 3) for name in ran[0].get("pore_pressure_ratio", {})}
+    if not wet:
+        return
+    yield ""
+    yield f"{'r_u':<10}" + "".join(f"{name:>{width}}" for name, width in wet.items())
+    for entry in ran:
+        ratios = entry.get("pore_pressure_ratio", {})
+        cells = {name: f"{ratio['mean']:.3f} ({ratio['rms_difference']:.3f})" for name, ratio in ratios.items()}
+        yield f"{entry['model']:<10}" + "".join(f"{cells.get(name, '-'):>{width}}" for name, width in wet.items())
+    yield f"Mean of the run, in brackets the root mean square of the difference to '{ran[0]['model']}'."
+
+
+def words(entries):
+    """The lines of the table."""
+    def percent(value):
+        return "-" if value is None else f"{100 * value:.3f} %"
+
+    ran = [entry for entry in entries if not entry["refused"]]
+    if not ran:
+        yield "no model can compute this case"
+        return
+    widths = {name: max(14, len(name) + 3) for name in ran[0]["monitors"]}
+    yield (f"{'model':<10}{'source CPU':>12}{'domain CPU':>12}{'wall':>12}{'free field':>14}{'to exact':>14}"
+           + "".join(f"{name:>{width}}" for name, width in widths.items()))
+    for entry in entries:
+        if entry["refused"]:
+            yield f"{entry['model']:<10}  {'failed' if entry.get('failed') else 'refused'}: {entry['refused'].splitlines()[0]}"
+            continue
+        costs = "".join(f"{entry[name]:>10.2f} s" for name in ("source_cpu_s", "domain_cpu_s", "wall_s"))
+        fields = "".join(f"{percent(entry.get(name)):>14}" for name in ("free_field", "free_field_to_exact"))
+        monitors = "".join(f"{percent(entry['monitors'][name]):>{width}}" for name, width in widths.items())
+        yield f"{entry['model']:<10}{costs}{fields}{monitors}"
+    yield f"Differences: relative L2 of particle velocity, to '{ran[0]['model']}' where nothing else is said."
+    yield from _ratios(ran)
+
+
+def report(folder):
+    """Says what swap.json holds, and draws swap.png beside it."""
+    yield from words(read(folder))
+    yield style.save(draw(folder), Path(folder), "swap.png")

@@ -21,16 +21,6 @@ TEST(CostFront, HoldsWhatNoOtherRungBeatsInBoth) {
 
 TEST(CostFront, OfNothingIsEmpty) {
   EXPECT_TRUE(pareto_front({}).empty());
-  EXPECT_FALSE(cheapest({}, 0.5));
-}
-
-TEST(CostFront, TheCheapestIsTheFirstOnTheFrontThatIsGoodEnough) {
-  const std::vector<CostPoint> points{
-      {.error = 0.10, .cpu = 1.0}, {.error = 0.01, .cpu = 9.0}, {.error = 0.03, .cpu = 4.0}};
-  EXPECT_EQ(cheapest(points, 0.2), 0U);
-  EXPECT_EQ(cheapest(points, 0.03), 2U);
-  EXPECT_EQ(cheapest(points, 0.029), 1U);
-  EXPECT_FALSE(cheapest(points, 0.009));
 }
 
 /// e = 0.03 h^2, u = 1e6 h^-3, t = 0.2 s + 80 ns u.
