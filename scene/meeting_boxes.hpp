@@ -12,7 +12,7 @@
 
 namespace tremolo::scene {
 
-/// Of the size of the larger box: corners typed as decimals meet exactly on paper.
+/// Relative to the size of the larger box: corners typed as decimals meet exactly on paper.
 inline constexpr double box_tolerance = 1e-9;
 
 /// The smallest box around some points.

@@ -46,12 +46,13 @@ double target_from(const std::string& text) {
   return target;
 }
 
-/// What a rung has taken. It lies in the rung's folder and says that the run need not be made again.
+/// The costs of a finished rung. The file lies in the rung's folder and shows that the run need not be
+/// repeated.
 fs::path cost_file(const fs::path& folder) {
   return folder / "rung.json";
 }
 
-/// Reads what a rung has taken; false where it has not run to its end.
+/// Reads the costs of a rung; false where it has not run to its end.
 bool read_cost(const fs::path& folder, CostRung& rung) {
   if (!fs::exists(cost_file(folder)))
     return false;
@@ -151,7 +152,7 @@ void mark_front(std::vector<CostRung>& rungs) {
     measured[i]->front = true;
 }
 
-/// Of all families, the one whose fit reaches the target for the least time.
+/// The family whose fit reaches the target in the least time.
 std::optional<CostPrediction> predict(const scene::Case& given, const CostStudy& study) {
   if (std::ranges::find(study.knobs, size_key, &scene::Axis::key) == study.knobs.end())
     return std::nullopt;

@@ -29,7 +29,7 @@ struct CostPoint {
 /// Indices of the points on the Pareto front, by growing CPU time.
 std::vector<std::size_t> pareto_front(std::span<const CostPoint> points);
 
-/// What a family's points have in common.
+/// Error and CPU time of a family as power laws of the cell size, fitted to its points.
 struct CostFit {
   std::string family;
   std::size_t points = 0;

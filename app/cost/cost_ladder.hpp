@@ -24,8 +24,8 @@ scene::Axis knob(std::string key, const std::vector<std::string>& values);
 /// @throws std::invalid_argument where it is not written so, or a value stands twice
 scene::Axis knob_from(const std::string& text);
 
-/// What is worth trying on any case: cells of four, two and one times the case's size, both transfers without
-/// dissipation, and the step of the case and one near the stability limit.
+/// Variants worth trying on any case: cells of four, two and one times the case's size, both transfers
+/// without dissipation, and the step of the case and one near the stability limit.
 std::vector<scene::Axis> default_knobs(const scene::Case& scene);
 
 /// All combinations; the last knob turns fastest. The name of a variant is the same whenever the same values

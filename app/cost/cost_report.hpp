@@ -1,6 +1,6 @@
 #pragma once
 
-// What `tremolo cost` has found, and cost.json, from which the tables and the picture are made.
+// Results of `tremolo cost`, and cost.json, from which the tables and the picture are made.
 
 #include "app/cost/cost_front.hpp"
 #include "app/study/variant.hpp"

@@ -26,7 +26,7 @@ struct Squares {
   double relative() const; ///< 0 where the reference is at rest
 };
 
-/// Of the particle velocity at a monitor.
+/// Compares the particle velocity at a monitor.
 /// @throws std::runtime_error where it is missing or has no history
 Squares difference_at(const std::string& monitor, const results::RunReader& run,
                       const results::RunReader& reference);

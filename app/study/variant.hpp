@@ -25,7 +25,7 @@ struct Variant {
 /// Reads the text as a case that stands where the given one does; says why where it is none.
 Variant variant_of(const scene::Case& given, std::string name, std::string text, Combination values = {});
 
-/// What a run has taken.
+/// The costs of a run.
 struct RunCost {
   double sources = 0.0; ///< CPU time of the free fields, s
   double domain = 0.0;  ///< CPU time of the domain, s
@@ -35,7 +35,7 @@ struct RunCost {
 
 /// Runs a variant whose text is a case, on this machine.
 /// @param folder  not there yet
-/// @throws Exit where the run fails; it has been said
+/// @throws Exit where the run fails; the reason has been printed
 RunCost run_variant(const Variant& variant, const std::filesystem::path& folder, int threads);
 
 /// "mesh.size = 0.5, time.transfer = apic": the values of the axes that are to be named, all at first.

@@ -44,7 +44,7 @@ std::optional<PorePressureRatio> ratio_at(const std::string& monitor, const resu
 /// another.
 using SideFields = std::vector<FreeFieldSeries>;
 
-/// Of the worse side.
+/// The larger of the two sides' differences.
 double difference(const SideFields& fields, const SideFields& reference) {
   double worst = 0.0;
   for (std::size_t side = 0; side < fields.size(); ++side) {
