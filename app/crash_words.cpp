@@ -2,7 +2,7 @@
 
 #include "app/crash_words.hpp"
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "results/xdmf.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "app/manual/man_page.hpp"
 #include "app/manual/python_commands.hpp"
 #include "app/output_place.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "scene/keys/reference.hpp"
 #include "scene/rules/rule.hpp"
 

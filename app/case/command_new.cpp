@@ -4,7 +4,7 @@
 
 #include "app/output_place.hpp"
 #include "app/shared_files.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 
 #include <fmt/format.h>
 

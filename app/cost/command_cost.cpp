@@ -10,7 +10,7 @@
 #include "app/study/differences.hpp"
 #include "app/verify/exact_field.hpp"
 #include "app/verify/verification.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "app/commands.hpp"
 #include "app/free_field/points_file.hpp"
 #include "app/output_place.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "scene/case.hpp"
 #include "scene/text/files.hpp"
 #include "wavefield/layers/transfer.hpp"

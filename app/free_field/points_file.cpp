@@ -1,7 +1,7 @@
 #include "app/free_field/points_file.hpp"
 
 #include "app/free_field/table_text.hpp"
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "app/manual/command_page.hpp"
 
-#include "base/paragraph.hpp"
+#include "base/text/paragraph.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 #include "app/motion/motion_report.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "motion/measures.hpp"
 #include "motion/mend/process.hpp"
 #include "motion/spectra.hpp"

@@ -3,8 +3,8 @@
 
 #include "app/commands.hpp"
 #include "app/temporary_folder.hpp"
-#include "base/printable.hpp"
-#include "base/text_file.hpp"
+#include "base/text/printable.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/conformance/conformance.hpp"
 #include "scene/case.hpp"
 #include "scene/plan/layers.hpp"

@@ -3,7 +3,7 @@
 #include "app/commands.hpp"
 #include "app/output_place.hpp"
 #include "app/recording/recording_name.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "results/exchange_file.hpp"
 #include "results/free_field_recording.hpp"
 

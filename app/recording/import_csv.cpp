@@ -1,6 +1,6 @@
 #include "app/free_field/table_text.hpp"
 #include "app/recording/import_motion.hpp"
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "app/run/local_options.hpp"
 #include "app/run/run_display.hpp"
 #include "app/run/until_stage.hpp"
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 #include "scene/case.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "app/python.hpp"
 #include "app/run/local_options.hpp"
 #include "app/safety/static_stage.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "mpm_domain/gravity/held_soil.hpp"
 #include "mpm_domain/gravity/strength_reduction.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"

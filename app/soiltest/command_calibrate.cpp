@@ -4,7 +4,7 @@
 #include "app/output_place.hpp"
 #include "app/soiltest/soiltest_progress.hpp"
 #include "app/soiltest/soiltest_report.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "materials/soiltest/cyclic/calibrate.hpp"
 #include "scene/soil_test.hpp"
 

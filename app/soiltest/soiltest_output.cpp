@@ -2,7 +2,7 @@
 
 #include "app/output_place.hpp"
 #include "app/soiltest/soiltest_lines.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "materials/soiltest/notes.hpp"
 #include "scene/soils/soil_report.hpp"
 

@@ -5,7 +5,7 @@
 #include "app/python.hpp"
 #include "app/run/local_options.hpp"
 #include "app/swap/swap.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "scene/plan/free_field_traits.hpp"
 
 #include <fmt/format.h>

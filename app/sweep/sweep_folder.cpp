@@ -2,7 +2,7 @@
 
 #include "app/output_place.hpp"
 #include "app/sweep/sweep_plan.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "app/sweep/sweep_plan.hpp"
 
 #include "app/study/variant.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/process/recorded_case.hpp"
 #include "motion/band_limited.hpp"
 #include "scene/plan/layers.hpp"

@@ -1,7 +1,7 @@
 #include "app/verify/verification_report.hpp"
 
 #include "app/output_place.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

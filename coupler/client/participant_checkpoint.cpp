@@ -1,7 +1,7 @@
 // The domain's part in checkpoints: it saves itself between two steps, when the hub has the velocities of all
 // steps before, says so, and waits until the hub has done the rest (hub_checkpoint.cpp).
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/hub/checkpoint_set.hpp"
 #include "coupler/participant.hpp"
 #include "coupler/wire/handshake/messages.hpp"

@@ -1,6 +1,6 @@
 #include "coupler/conformance/conformance_session.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/frame.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"

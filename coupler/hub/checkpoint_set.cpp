@@ -1,6 +1,6 @@
 #include "coupler/hub/checkpoint_set.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/hub/admission/case_difference.hpp"
 #include "coupler/launch/invitation.hpp"
 #include "coupler/wire/error.hpp"

@@ -1,6 +1,6 @@
 #include "coupler/hub/notes.hpp"
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 
 #include <algorithm>
 #include <chrono>

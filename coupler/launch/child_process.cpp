@@ -1,6 +1,6 @@
 #include "coupler/launch/child_process.hpp"
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 #include "coupler/wire/error.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "coupler/launch/launcher.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/launch/child_process.hpp"
 #include "coupler/launch/termination.hpp"
 #include "coupler/wire/handshake/messages.hpp"

@@ -1,6 +1,6 @@
 #include "coupler/process/recorded_case.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/wire/handshake/messages.hpp"
 
 #include <algorithm>

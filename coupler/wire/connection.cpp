@@ -1,7 +1,7 @@
 #include "coupler/wire/connection.hpp"
 
-#include "base/printable.hpp"
-#include "base/text_file.hpp"
+#include "base/text/printable.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/incoming.hpp"

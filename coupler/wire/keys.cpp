@@ -1,6 +1,6 @@
 #include "coupler/wire/keys.hpp"
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 #include "coupler/wire/error.hpp"
 
 #include <array>

@@ -37,16 +37,17 @@ concept GivenByFields = requires(const L& law) {
 };
 
 template <class L>
-void take_if_named(std::string_view wanted, std::optional<Law>& found) {
+void take_if_named(std::string_view wanted, const Elasticity& elastic, std::optional<Law>& found) {
   if constexpr (GivenByFields<L>)
-    if (L law{}; traits(law).name == wanted)
+    if (const L law{.elastic = elastic}; traits(law).name == wanted)
       found = law;
 }
 
 template <class... Each>
-std::optional<Law> first_named(std::string_view wanted, std::type_identity<std::variant<Each...>> /*laws*/) {
+std::optional<Law> first_named(std::string_view wanted, const Elasticity& elastic,
+                               std::type_identity<std::variant<Each...>> /*laws*/) {
   std::optional<Law> found;
-  (take_if_named<Each>(wanted, found), ...);
+  (take_if_named<Each>(wanted, elastic, found), ...);
   return found;
 }
 
@@ -107,8 +108,8 @@ void stiffness_ratios(const Law& law, const Points& points, double* ratios) {
   std::visit([&](const auto& one) { stiffness_ratios(one, points, ratios); }, law);
 }
 
-std::optional<Law> law_of_fields(std::string_view name) {
-  return first_named(name, std::type_identity<Laws>{});
+std::optional<Law> law_of_fields(std::string_view name, const Elasticity& elastic) {
+  return first_named(name, elastic, std::type_identity<Laws>{});
 }
 
 std::vector<FieldOfLaw> fields(Law& law) {

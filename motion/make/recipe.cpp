@@ -1,7 +1,7 @@
 #include "motion/make/recipe.hpp"
 
-#include "base/printable.hpp"
-#include "base/unreadable.hpp"
+#include "base/text/printable.hpp"
+#include "base/text/unreadable.hpp"
 
 #include "motion/read/read.hpp"
 #include "motion/read/text.hpp"

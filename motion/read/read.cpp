@@ -1,6 +1,6 @@
 #include "motion/read/read.hpp"
 
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 #include "motion/formats/formats.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "motion/read/read_spectrum.hpp"
 
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 #include "motion/read/text.hpp"
 #include "motion/record.hpp"
 

@@ -1,6 +1,6 @@
 #include "motion/read/write.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "motion/formats/formats.hpp"
 #include "motion/read/stated.hpp"
 #include "motion/read/text.hpp"

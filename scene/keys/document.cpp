@@ -1,6 +1,6 @@
 #include "scene/read/reader.hpp"
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 
 #include <fmt/format.h>
 

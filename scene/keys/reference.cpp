@@ -1,6 +1,6 @@
 #include "scene/keys/reference.hpp"
 
-#include "base/paragraph.hpp"
+#include "base/text/paragraph.hpp"
 #include "scene/soils/soil_library.hpp"
 
 #include <fmt/format.h>

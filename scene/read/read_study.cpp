@@ -1,4 +1,4 @@
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 #include "scene/keys/keys_study.hpp"
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/read/reader.hpp"

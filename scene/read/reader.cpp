@@ -1,6 +1,6 @@
 #include "scene/read/reader.hpp"
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/text/nearest.hpp"
 

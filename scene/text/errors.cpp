@@ -1,6 +1,6 @@
 #include "scene/text/errors.hpp"
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "scene/text/text.hpp"
 
-#include "base/printable.hpp"
-#include "base/unreadable.hpp"
+#include "base/text/printable.hpp"
+#include "base/text/unreadable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "app/free_field/column/column_models.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "motion/record.hpp"
 #include "scene/text/errors.hpp"
 

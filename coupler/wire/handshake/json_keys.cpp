@@ -1,6 +1,6 @@
 #include "coupler/wire/handshake/json_keys.hpp"
 
-#include "base/printable.hpp"
+#include "base/text/printable.hpp"
 #include "coupler/wire/error.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "mpm_domain/process/ranks/rank_inputs.hpp"
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "scene/text/files.hpp"
 
 #include <fmt/format.h>

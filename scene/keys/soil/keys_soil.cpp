@@ -22,110 +22,11 @@ Key darendeli(std::string_view name, std::string_view unit, std::string_view mea
           .when = {"curve", {"darendeli"}}};
 }
 
-<<<<<<< HEAD
-Condition mohr_coulomb() {
-  return {"model", {name(SoilModel::mohr_coulomb)}};
-}
-
-Key strength(std::string_view name, std::string_view unit, std::string_view meaning, Range range,
-             std::string_view fallback = {}) {
-  return {.name = name,
-          .unit = unit,
-          .meaning = meaning,
-          .required = fallback.empty(),
-          .fallback = fallback,
-          .range = range,
-          .when = mohr_coulomb()};
-}
-
-/// The elastic constants, of the models that are given them.
-std::vector<Key> soil_elastic_keys() {
-  const std::vector<std::string_view> elastic = {name(SoilModel::linear_elastic),
-                                                 name(SoilModel::mohr_coulomb),
-                                                 name(SoilModel::drucker_prager),
-                                                 name(SoilModel::multi_yield_clay),
-                                                 name(SoilModel::hyperbolic),
-                                                 name(SoilModel::mkz),
-                                                 name(SoilModel::gqh)};
-  auto keys = elastic_keys();
-  for (Key& key : keys) {
-    if (key.name == "density") {
-      key.required = false;
-      key.otherwise = "that of the recommended set of `pdmy03`; other models need it";
-      continue;
-    }
-    key.when = {"model", elastic};
-    if (key.name == "poisson") {
-      key.when.values.emplace_back(name(SoilModel::pm4sand));
-      key.otherwise = "`vs` and `vp`; 0.3 of `pm4sand`";
-      key.meaning = "Poisson's ratio; together with `young`, of `pm4sand` alone.";
-    }
-  }
-  return keys;
-}
-
-std::vector<Key> mohr_coulomb_keys() {
-  return {
-      strength("cohesion_peak", "Pa", "Cohesion before softening.", not_negative),
-      strength("cohesion_residual", "Pa", "Cohesion after softening, at most the peak.", not_negative),
-      strength("friction_peak_deg", "degrees", "Friction angle before softening.", angle),
-      strength("friction_residual_deg", "degrees", "Friction angle after softening, at most the peak.",
-               angle),
-      strength("dilation_peak_deg", "degrees", "Dilation angle before softening, at most the friction angle.",
-               angle, "0"),
-      strength("dilation_residual_deg", "degrees", "Dilation angle after softening.", angle, "0"),
-      strength(
-          "softening", "1",
-          "Softening coefficient eta: c and the angles decay from peak to residual with exp(-eta e), e the "
-          "equivalent plastic deviatoric strain. 0 keeps the peak.",
-          not_negative),
-      {.name = "tension_cutoff",
-       .unit = "Pa",
-       .meaning = "Largest tensile stress.",
-       .otherwise = "the apex c cot(phi)",
-       .range = not_negative,
-       .when = mohr_coulomb()},
-      {.name = "reference_size",
-       .unit = "m",
-       .meaning = "Cell size h_ref for which `softening` holds: eta is scaled by h/h_ref, so that the work "
-                  "of a shear band "
-                  "does not depend on the mesh.",
-       .otherwise = "needed where `softening` > 0",
-       .range = positive,
-       .when = mohr_coulomb()},
-  };
-}
-
-/// The keys of cones and surfaces that more than one model has.
-std::vector<Key> surface_keys() {
-  const std::vector<std::string_view> cones = {name(SoilModel::drucker_prager), name(SoilModel::pdmy03)};
-  return {
-      {.name = "cohesion",
-       .unit = "Pa",
-       .meaning = "Cohesion.",
-       .required = true,
-       .range = not_negative,
-       .when = {"model", {name(SoilModel::drucker_prager)}}},
-      {.name = "friction_deg",
-       .unit = "degrees",
-       .meaning =
-           "Friction angle, in the test that `cone` names. `drucker_prager` needs it; of `pdmy03` 1 to 65.",
-       .otherwise = "that of the recommended set of `pdmy03`",
-       .range = angle,
-       .when = {"model", cones}},
-      {.name = "dilation_deg",
-       .unit = "degrees",
-       .meaning = "Dilation angle, at most the friction angle.",
-       .fallback = "0",
-       .range = angle,
-       .when = {"model", {name(SoilModel::drucker_prager)}}},
-=======
 /// What laws take besides numbers.
 std::vector<Key> shape_keys() {
   const std::vector<std::string_view> all = {name(SoilModel::hyperbolic), name(SoilModel::mkz),
                                              name(SoilModel::gqh)};
   return {
->>>>>>> 4719851b (Laws own their keys: name, unit, meaning, range and default of a parameter stand once)
       {.name = "cone",
        .type = Type::choice,
        .meaning = "In which test the circular cone has the angles: `triaxial_compression`, for which the "

@@ -1,6 +1,6 @@
 #include "scene/read/soil/curve_table.hpp"
 
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 
 #include <fmt/format.h>
 

@@ -8,15 +8,19 @@ namespace tremolo::scene {
 
 namespace {
 
-/// The law of the model's name, whose numbers are its fields.
-materials::Law of_fields(const TableReader& table, const materials::Elasticity& elastic) {
-  materials::Law law = materials::law_of_fields(table.text("model")).value();
-  std::visit([&](auto& one) { one.elastic = elastic; }, static_cast<materials::Laws&>(law));
+/// A law whose numbers are its fields.
+materials::Law of_fields(materials::Law law, const TableReader& table) {
   read_fields(law, table);
-  if (auto* cone = std::get_if<materials::DruckerPrager>(&law))
-    cone->match =
-        value_named<materials::ConeMatch>(table.text("cone")).value_or(materials::ConeMatch::plane_strain);
   return law;
+}
+
+materials::Law of_model(SoilModel model, const TableReader& table, const materials::Elasticity& elastic) {
+  if (model != SoilModel::drucker_prager)
+    return of_fields(materials::law_of_fields(name(model), elastic).value(), table);
+  const auto match = value_named<materials::ConeMatch>(table.text("cone"));
+  return of_fields(materials::DruckerPrager{.elastic = elastic,
+                                            .match = match.value_or(materials::ConeMatch::plane_strain)},
+                   table);
 }
 
 materials::Law clay(const TableReader& table, const materials::Elasticity& elastic,
@@ -57,8 +61,8 @@ Soil read_plastic(const NamedTable& soil, const std::filesystem::path& directory
   if (model == SoilModel::multi_yield_clay && !sound_count(table, findings))
     return placeholder(soil.name);
   try {
-    const materials::Law law =
-        model == SoilModel::multi_yield_clay ? clay(table, elastic, directory) : of_fields(table, elastic);
+    const materials::Law law = model == SoilModel::multi_yield_clay ? clay(table, elastic, directory)
+                                                                    : of_model(model, table, elastic);
     materials::validate(law);
     return {soil.name, law, law, {}, {}};
   } catch (const std::exception& error) {

@@ -1,4 +1,4 @@
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 #include "materials/soiltest/path/path_table.hpp"
 #include "scene/read/soil/read_soil.hpp"
 #include "scene/soil_test.hpp"

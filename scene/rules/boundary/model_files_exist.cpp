@@ -1,6 +1,6 @@
 #include "scene/rules/rules.hpp"
 
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

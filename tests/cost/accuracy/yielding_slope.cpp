@@ -8,7 +8,7 @@
 // far the tip of the soil that lay above the toe is before the toe at the end; the area of cells with a mean
 // strain of at least 0.1, 0.3 s after failure; steps of the gravity stage.
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"

@@ -3,7 +3,7 @@
 // The domain computes nothing, so that all of its time is exchange. Prints CSV: mode, window_steps,
 // microseconds of CPU time of all three a domain step, and of wall time.
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/hub/hub.hpp"
 #include "coupler/launch/run_endpoint.hpp"
 #include "coupler/participant.hpp"

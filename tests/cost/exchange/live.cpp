@@ -1,6 +1,6 @@
 // The exchange as a run does it.
 
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/hub/hub.hpp"
 #include "coupler/participant.hpp"
 #include "coupler/wire/sockets.hpp"

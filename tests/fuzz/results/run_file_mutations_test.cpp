@@ -4,7 +4,7 @@
 //     TREMOLO_RUN_FILE_MUTANTS=100000 test_results_fuzz
 
 #include "base/own_process.hpp"
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "results/run_checksums.hpp"
 #include "results/run_file.hpp"
 #include "results/stored_fields.hpp"

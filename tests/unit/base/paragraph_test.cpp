@@ -1,4 +1,4 @@
-#include "base/paragraph.hpp"
+#include "base/text/paragraph.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <fcntl.h>

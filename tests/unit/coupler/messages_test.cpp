@@ -1,4 +1,4 @@
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 #include "coupler/wire/error.hpp"
 #include "coupler/wire/handshake/json_keys.hpp"
 #include "coupler/wire/handshake/messages.hpp"

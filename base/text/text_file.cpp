@@ -1,4 +1,4 @@
-#include "base/text_file.hpp"
+#include "base/text/text_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "base/unreadable.hpp"
+#include "base/text/unreadable.hpp"
 
 #include <unistd.h>
 
