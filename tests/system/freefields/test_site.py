@@ -81,15 +81,20 @@ class OneLayer(unittest.TestCase):
         cls.work, cls.folder = work, work.path / "out"
         cls.site = Site(cls.folder)
 
-    def test_the_folder_of_an_earlier_command_is_written_again_and_no_other_file(self):
+    def once_more(self, folder):
+        return self.work.command("column", self.work.case, "--models", "wave", "--out", folder, "--duration", "4")
+
+    def test_a_file_of_somebody_else_is_not_written_again(self):
+        other = shutil.copytree(self.folder, self.work.path / "other")
+        (other / "site.json").write_text("mine")
+        self.assertNotEqual(0, self.once_more(other).returncode)
+        self.assertEqual("mine", (other / "site.json").read_text())
+
+    def test_acceptance_the_folder_of_an_earlier_command_is_written_again(self):
         again = shutil.copytree(self.folder, self.work.path / "again")
-        words = ("column", self.work.case, "--models", "wave", "--out", again, "--duration", "4")
-        result = self.work.command(*words)
+        result = self.once_more(again)
         self.assertEqual(0, result.returncode, result.stderr)
         self.assertEqual(["wave"], list(Site(again).models))
-        (again / "site.json").write_text("mine")
-        self.assertNotEqual(0, self.work.command(*words).returncode)
-        self.assertEqual("mine", (again / "site.json").read_text())
 
     def test_raw_amplification_is_the_closed_form(self):
         """Elements of 0.25 m err by (w h/c)^2/24 of a wavelength, and the ground rings for 6 s."""

@@ -103,7 +103,7 @@ class Joined(unittest.TestCase):
             self.assertEqual([], differences(shared, whole))
 
     def test_structure_and_anchor(self):
-        self.give_the_bits_of_one(WideAnchored(TREMOLO, duration=0.7))
+        self.give_the_bits_of_one(WideAnchored(TREMOLO, duration=0.4))
 
     def test_acceptance_levels(self):
         self.give_the_bits_of_one(refine(SlopeWorkspace(TREMOLO, duration=0.5), *SLOPE_BOXES))

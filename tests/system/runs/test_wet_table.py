@@ -121,11 +121,15 @@ class BesideTheColumn(unittest.TestCase):
 
 
 class Container(unittest.TestCase):
-    def test_has_the_same_bits_for_threads_modes_and_processes(self):
+    def test_has_the_same_bits_for_threads_and_modes(self):
         with Domain(TREMOLO, soil=SAND, sides="container", duration=0.2) as work:
             one = work.run("one", "--threads", 1)
             for name, options in (("threads", ["--threads", 2]), ("lockstep", ["--mode", "lockstep"])):
                 self.assertEqual([], differences(work.run(name, *options), one), name)
+
+    def test_acceptance_has_the_same_bits_for_two_processes(self):
+        with Domain(TREMOLO, soil=SAND, sides="container", duration=0.2) as work:
+            one = work.run("one", "--threads", 1)
             ranks = work.command("run", work.case, "--out", work.path / "ranks", "--ranks", 2, "--oversubscribe", "--threads", 1)
             if "has no MPI" not in ranks.stderr:
                 self.assertEqual(0, ranks.returncode, ranks.stdout + ranks.stderr)
