@@ -173,8 +173,7 @@ class Motions(unittest.TestCase):
 
 
 class Samples(unittest.TestCase):
-    def test_a_latin_hypercube_covers_ranges_and_arrays_evenly(self):
-        study = """case = "case.toml"
+    STUDY = """case = "case.toml"
 [axes]
 motion.angle_deg = [0, 15]
 soil.box.young = { low = 20e6, high = 80e6 }
@@ -183,7 +182,9 @@ motion.pulse.velocity = { low = 0.01, high = 1.0, scale = "log" }
 kind = "latin_hypercube"
 samples = 4
 """
-        with SweepWorkspace(TREMOLO, study) as work:
+
+    def test_a_latin_hypercube_covers_ranges_and_arrays_evenly(self):
+        with SweepWorkspace(TREMOLO, self.STUDY) as work:
             work.swept()
             rows = work.rows()
             young = sorted(float(row["soil.box.young"]) for row in rows)
@@ -191,8 +192,12 @@ samples = 4
             speed = sorted(float(row["motion.pulse.velocity"]) for row in rows)
             self.assertEqual([0, 1, 2, 3], [int(2.0 * np.log10(value / 0.01)) for value in speed])
             self.assertEqual(["0", "0", "15", "15"], sorted(row["motion.angle_deg"] for row in rows))
+
+    def test_acceptance_the_same_seed_has_the_same_runs(self):
+        with SweepWorkspace(TREMOLO, self.STUDY) as work:
+            work.swept()
             before = work.made()
-            self.assertIn("4 of them done", work.swept())  # the same seed, the same runs
+            self.assertIn("4 of them done", work.swept())
             self.assertEqual(before, work.made())
 
 
