@@ -3,6 +3,7 @@
 // Quantities at the nodes of the grid, one array each. A pass names the group of fields that it works on;
 // clearing, folding of tied nodes and resizing run over a group and never over a list of their own.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -43,15 +44,6 @@ enum class NodeTrait {
   sharp,   ///< with reduced dispersion
   seeping, ///< with water whose head varies
 };
-constexpr NodeTrait trait_of(NodeGroup group) {
-  if (group < NodeGroup::pores)
-    return NodeTrait::always;
-  if (group < NodeGroup::volume_flux)
-    return NodeTrait::wet;
-  if (group < NodeGroup::fullness)
-    return NodeTrait::flowing;
-  return group < NodeGroup::seepage ? NodeTrait::sharp : NodeTrait::seeping;
-}
 
 /// The traits of a domain.
 struct NodeTraits {
@@ -115,6 +107,7 @@ struct NodeFieldDescription {
   std::string_view unit;
   NodeGroup group;
   NodeField NodeFields::*field;
+  NodeTrait trait = NodeTrait::always;
 };
 
 inline constexpr std::array node_field_table{
@@ -135,35 +128,47 @@ inline constexpr std::array node_field_table{
     NodeFieldDescription{"ay", "m/s2", NodeGroup::acceleration, &NodeFields::ay},
     NodeFieldDescription{"cell_weight", "that of the mean", NodeGroup::cell, &NodeFields::cell_weight},
     NodeFieldDescription{"cell_change", "that of the mean", NodeGroup::cell, &NodeFields::cell_change},
-    NodeFieldDescription{"buoyancy", "N/m", NodeGroup::pores, &NodeFields::buoyancy},
-    NodeFieldDescription{"pore_volume", "m2", NodeGroup::pores, &NodeFields::pore_volume},
-    NodeFieldDescription{"compression", "m2", NodeGroup::compression, &NodeFields::compression},
-    NodeFieldDescription{"flux_x", "m/s", NodeGroup::volume_flux, &NodeFields::flux_x},
-    NodeFieldDescription{"flux_y", "m/s", NodeGroup::volume_flux, &NodeFields::flux_y},
-    NodeFieldDescription{"open_x", "1", NodeGroup::openness, &NodeFields::open_x},
-    NodeFieldDescription{"open_y", "1", NodeGroup::openness, &NodeFields::open_y},
-    NodeFieldDescription{"water_mass", "kg/m", NodeGroup::water_mass, &NodeFields::water_mass},
-    NodeFieldDescription{"wet_volume", "m2", NodeGroup::water_mass, &NodeFields::wet_volume},
-    NodeFieldDescription{"resistance", "Pa s", NodeGroup::water_mass, &NodeFields::resistance},
-    NodeFieldDescription{"water_momentum_x", "kg/s", NodeGroup::water_momentum,
-                         &NodeFields::water_momentum_x},
-    NodeFieldDescription{"water_momentum_y", "kg/s", NodeGroup::water_momentum,
-                         &NodeFields::water_momentum_y},
-    NodeFieldDescription{"water_force_x", "N/m", NodeGroup::water_force, &NodeFields::water_force_x},
-    NodeFieldDescription{"water_force_y", "N/m", NodeGroup::water_force, &NodeFields::water_force_y},
-    NodeFieldDescription{"wx_before", "m/s", NodeGroup::water_velocity, &NodeFields::wx_before},
-    NodeFieldDescription{"wy_before", "m/s", NodeGroup::water_velocity, &NodeFields::wy_before},
-    NodeFieldDescription{"wx_after", "m/s", NodeGroup::water_velocity, &NodeFields::wx_after},
-    NodeFieldDescription{"wy_after", "m/s", NodeGroup::water_velocity, &NodeFields::wy_after},
-    NodeFieldDescription{"fullness", "1", NodeGroup::fullness, &NodeFields::fullness},
-    NodeFieldDescription{"inside_x", "1", NodeGroup::inside, &NodeFields::inside_x},
-    NodeFieldDescription{"inside_y", "1", NodeGroup::inside, &NodeFields::inside_y},
-    NodeFieldDescription{"inside_both", "1", NodeGroup::inside, &NodeFields::inside_both},
-    NodeFieldDescription{"inside_block", "1", NodeGroup::inside, &NodeFields::inside_block},
-    NodeFieldDescription{"sharp_x", "m/s or N/m", NodeGroup::sharpened, &NodeFields::sharp_x},
-    NodeFieldDescription{"sharp_y", "m/s or N/m", NodeGroup::sharpened, &NodeFields::sharp_y},
-    NodeFieldDescription{"seepage_x", "N/m", NodeGroup::seepage, &NodeFields::seepage_x},
-    NodeFieldDescription{"seepage_y", "N/m", NodeGroup::seepage, &NodeFields::seepage_y},
+    NodeFieldDescription{"buoyancy", "N/m", NodeGroup::pores, &NodeFields::buoyancy, NodeTrait::wet},
+    NodeFieldDescription{"pore_volume", "m2", NodeGroup::pores, &NodeFields::pore_volume, NodeTrait::wet},
+    NodeFieldDescription{"compression", "m2", NodeGroup::compression, &NodeFields::compression,
+                         NodeTrait::wet},
+    NodeFieldDescription{"flux_x", "m/s", NodeGroup::volume_flux, &NodeFields::flux_x, NodeTrait::flowing},
+    NodeFieldDescription{"flux_y", "m/s", NodeGroup::volume_flux, &NodeFields::flux_y, NodeTrait::flowing},
+    NodeFieldDescription{"open_x", "1", NodeGroup::openness, &NodeFields::open_x, NodeTrait::flowing},
+    NodeFieldDescription{"open_y", "1", NodeGroup::openness, &NodeFields::open_y, NodeTrait::flowing},
+    NodeFieldDescription{"water_mass", "kg/m", NodeGroup::water_mass, &NodeFields::water_mass,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"wet_volume", "m2", NodeGroup::water_mass, &NodeFields::wet_volume,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"resistance", "Pa s", NodeGroup::water_mass, &NodeFields::resistance,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"water_momentum_x", "kg/s", NodeGroup::water_momentum, &NodeFields::water_momentum_x,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"water_momentum_y", "kg/s", NodeGroup::water_momentum, &NodeFields::water_momentum_y,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"water_force_x", "N/m", NodeGroup::water_force, &NodeFields::water_force_x,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"water_force_y", "N/m", NodeGroup::water_force, &NodeFields::water_force_y,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"wx_before", "m/s", NodeGroup::water_velocity, &NodeFields::wx_before,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"wy_before", "m/s", NodeGroup::water_velocity, &NodeFields::wy_before,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"wx_after", "m/s", NodeGroup::water_velocity, &NodeFields::wx_after,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"wy_after", "m/s", NodeGroup::water_velocity, &NodeFields::wy_after,
+                         NodeTrait::flowing},
+    NodeFieldDescription{"fullness", "1", NodeGroup::fullness, &NodeFields::fullness, NodeTrait::sharp},
+    NodeFieldDescription{"inside_x", "1", NodeGroup::inside, &NodeFields::inside_x, NodeTrait::sharp},
+    NodeFieldDescription{"inside_y", "1", NodeGroup::inside, &NodeFields::inside_y, NodeTrait::sharp},
+    NodeFieldDescription{"inside_both", "1", NodeGroup::inside, &NodeFields::inside_both, NodeTrait::sharp},
+    NodeFieldDescription{"inside_block", "1", NodeGroup::inside, &NodeFields::inside_block, NodeTrait::sharp},
+    NodeFieldDescription{"sharp_x", "m/s or N/m", NodeGroup::sharpened, &NodeFields::sharp_x,
+                         NodeTrait::sharp},
+    NodeFieldDescription{"sharp_y", "m/s or N/m", NodeGroup::sharpened, &NodeFields::sharp_y,
+                         NodeTrait::sharp},
+    NodeFieldDescription{"seepage_x", "N/m", NodeGroup::seepage, &NodeFields::seepage_x, NodeTrait::seeping},
+    NodeFieldDescription{"seepage_y", "N/m", NodeGroup::seepage, &NodeFields::seepage_y, NodeTrait::seeping},
 };
 
 /// The fields that particles add up to, in the order in which tiles keep their sums. Those of the water stand
@@ -189,25 +194,37 @@ enum class Sum : std::size_t {
   seepage_x,
   seepage_y,
 };
-inline constexpr std::array particle_sums{&NodeFields::mass,
-                                          &NodeFields::momentum_x,
-                                          &NodeFields::momentum_y,
-                                          &NodeFields::force_x,
-                                          &NodeFields::force_y,
-                                          &NodeFields::cell_weight,
-                                          &NodeFields::cell_change,
-                                          &NodeFields::compression,
-                                          &NodeFields::water_mass,
-                                          &NodeFields::water_momentum_x,
-                                          &NodeFields::water_momentum_y,
-                                          &NodeFields::water_force_x,
-                                          &NodeFields::water_force_y,
-                                          &NodeFields::wet_volume,
-                                          &NodeFields::resistance,
-                                          &NodeFields::buoyancy,
-                                          &NodeFields::pore_volume,
-                                          &NodeFields::seepage_x,
-                                          &NodeFields::seepage_y};
+struct SumField {
+  Sum sum;
+  NodeField NodeFields::*field;
+};
+inline constexpr std::array sum_table{SumField{Sum::mass, &NodeFields::mass},
+                                      SumField{Sum::momentum_x, &NodeFields::momentum_x},
+                                      SumField{Sum::momentum_y, &NodeFields::momentum_y},
+                                      SumField{Sum::force_x, &NodeFields::force_x},
+                                      SumField{Sum::force_y, &NodeFields::force_y},
+                                      SumField{Sum::cell_weight, &NodeFields::cell_weight},
+                                      SumField{Sum::cell_change, &NodeFields::cell_change},
+                                      SumField{Sum::compression, &NodeFields::compression},
+                                      SumField{Sum::water_mass, &NodeFields::water_mass},
+                                      SumField{Sum::water_momentum_x, &NodeFields::water_momentum_x},
+                                      SumField{Sum::water_momentum_y, &NodeFields::water_momentum_y},
+                                      SumField{Sum::water_force_x, &NodeFields::water_force_x},
+                                      SumField{Sum::water_force_y, &NodeFields::water_force_y},
+                                      SumField{Sum::wet_volume, &NodeFields::wet_volume},
+                                      SumField{Sum::resistance, &NodeFields::resistance},
+                                      SumField{Sum::buoyancy, &NodeFields::buoyancy},
+                                      SumField{Sum::pore_volume, &NodeFields::pore_volume},
+                                      SumField{Sum::seepage_x, &NodeFields::seepage_x},
+                                      SumField{Sum::seepage_y, &NodeFields::seepage_y}};
+static_assert(std::ranges::all_of(sum_table, [](const SumField& one) {
+  return &one == &sum_table[static_cast<std::size_t>(one.sum)];
+}));
+inline constexpr auto particle_sums = [] {
+  std::array<NodeField NodeFields::*, sum_table.size()> fields{};
+  std::ranges::transform(sum_table, fields.begin(), &SumField::field);
+  return fields;
+}();
 
 /// Fields [first, end) of particle_sums.
 struct SumRange {
@@ -240,7 +257,7 @@ constexpr void for_group(NodeFields& fields, NodeGroup group, const Act& act) {
 constexpr std::size_t bytes_per_node(NodeTraits traits = {}) {
   std::size_t fields = 0;
   for (const NodeFieldDescription& line : node_field_table)
-    fields += traits.have(trait_of(line.group)) ? 1 : 0;
+    fields += traits.have(line.trait) ? 1 : 0;
   return fields * sizeof(double);
 }
 

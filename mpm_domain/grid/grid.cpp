@@ -10,7 +10,7 @@ void resize(Grid& grid, int nx, int ny) {
 
 void resize_fields(Grid& grid, std::size_t count) {
   for (const NodeFieldDescription& line : node_field_table)
-    if (grid.traits.have(trait_of(line.group)))
+    if (grid.traits.have(line.trait))
       (grid.*line.field).assign(count, 0.0);
 }
 

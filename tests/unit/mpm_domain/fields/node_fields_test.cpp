@@ -65,7 +65,7 @@ TEST(NodeFieldTable, DryNodesHaveNoWater) {
   Grid grid;
   resize_fields(grid, 7);
   for (const NodeFieldDescription& line : node_field_table)
-    EXPECT_EQ((grid.*line.field).size(), trait_of(line.group) == NodeTrait::always ? 7U : 0U) << line.name;
+    EXPECT_EQ((grid.*line.field).size(), line.trait == NodeTrait::always ? 7U : 0U) << line.name;
   EXPECT_GT(bytes_per_node({.wet = true, .flowing = false}), bytes_per_node());
   EXPECT_GT(bytes_per_node({.wet = true, .flowing = true}), bytes_per_node({.wet = true, .flowing = false}));
   EXPECT_EQ(bytes_per_node({.sharp = true}), bytes_per_node() + 7 * sizeof(double));
