@@ -4,6 +4,8 @@
 // the side h_l = h/2^l and its lower left corner at (x0 + i h_l, y0 + j h_l). Leaves that share an edge or a
 // corner differ by one level at most (2:1 balance).
 
+#include "mesh/cell_size.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -66,7 +68,7 @@ public:
   const Roots& roots() const { return roots_; }
   /// The finest level that has leaves.
   int finest() const { return static_cast<int>(cut_.size()); }
-  double size(int level) const { return roots_.h / static_cast<double>(1 << level); }
+  double size(int level) const { return cell_size(roots_.h, level); }
   Rectangle rectangle(const Cell& cell) const;
 
   /// False beyond the roots.

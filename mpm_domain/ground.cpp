@@ -1,5 +1,6 @@
 #include "mpm_domain/ground.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/head/seepage_of_ground.hpp"
 #include "mpm_domain/particles/fill.hpp"
@@ -46,7 +47,7 @@ Box room_around(const std::vector<Vector>& outline, const Spec& spec) {
   int finest = 0;
   for (const mesh::Refinement& refine : spec.refine)
     finest = std::max(finest, refine.level);
-  const double margin = 2.0 * spec.cell_size / static_cast<double>(1 << finest);
+  const double margin = 2.0 * mesh::cell_size(spec.cell_size, finest);
   Box box{outline.front().x, outline.front().y, outline.front().x, outline.front().y};
   for (const Vector& corner : outline)
     box = {std::min(box.x_min, corner.x), std::min(box.y_min, corner.y), std::max(box.x_max, corner.x),

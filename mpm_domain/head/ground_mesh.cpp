@@ -1,5 +1,6 @@
 #include "mpm_domain/head/ground_mesh.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "mesh/polygon.hpp"
 #include "mpm_domain/spec/slices.hpp"
 
@@ -27,7 +28,7 @@ HeadGrid grid_of(const Spec& spec) {
   int finest = 0;
   for (const mesh::Refinement& refine : spec.refine)
     finest = std::max(finest, refine.level);
-  HeadGrid grid{.x0 = spec.box.x_min, .y0 = spec.box.y_min, .h = std::ldexp(spec.cell_size, -finest)};
+  HeadGrid grid{.x0 = spec.box.x_min, .y0 = spec.box.y_min, .h = mesh::cell_size(spec.cell_size, finest)};
   while ((width / grid.h + 1.0) * (height / grid.h + 1.0) > most_nodes && width / grid.h >= 4.0)
     grid.h *= 2.0;
   const double cells = std::round(width / grid.h); // a side lies between nodes where cells were joined

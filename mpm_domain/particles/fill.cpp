@@ -1,5 +1,6 @@
 #include "mpm_domain/particles/fill.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "mesh/polygon.hpp"
 #include "mpm_domain/particles/plots.hpp"
 #include "mpm_domain/spec/plot.hpp"
@@ -83,7 +84,7 @@ std::vector<Particles> empty_sets(const Spec& spec, int finest) {
       std::ranges::copy(relaxation_fields(soil.relaxation.time.size()), std::back_inserter(set.more_fields));
       set.more.resize(set.more_fields.size());
       set.level = level;
-      set.cell_size = spec.cell_size / static_cast<double>(1 << level);
+      set.cell_size = mesh::cell_size(spec.cell_size, level);
       set.half_size = 0.5 * particle_size(spec, level);
       set.law = level > 0 && finer < soil.finer_laws.size() ? soil.finer_laws[finer] : soil.law;
       set.state_size = materials::state_variables(set.law).size();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/cell_size.hpp"
 #include "mpm_domain/head/head.hpp"
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/spec/lattice.hpp"
@@ -15,7 +16,7 @@ namespace tremolo::mpm_domain {
 
 /// Side of the square of a particle in a cell of a level, m.
 inline double particle_size(const Spec& spec, int level = 0) {
-  return particle_size(spec.cell_size / static_cast<double>(1 << level), spec.particles_per_cell);
+  return particle_size(mesh::cell_size(spec.cell_size, level), spec.particles_per_cell);
 }
 
 /// Lays particles on a square lattice aligned with the model box, particles_per_cell per cell and direction,

@@ -1,5 +1,6 @@
 #include "mpm_domain/particles/fill_bodies.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "mesh/polygon_measures.hpp"
 #include "mpm_domain/particles/fill.hpp"
 #include "mpm_domain/particles/plots.hpp"
@@ -26,7 +27,7 @@ Particles empty_set(const Spec& spec, const Structure& structure, std::size_t bo
   set.more_fields = spec.more_fields;
   set.more.resize(spec.more_fields.size());
   set.level = level;
-  set.cell_size = spec.cell_size / static_cast<double>(1 << level);
+  set.cell_size = mesh::cell_size(spec.cell_size, level);
   set.half_size = 0.5 * particle_size(spec, level);
   set.law = materials::LinearElastic{{.density = structure.density,
                                       .young = structure.stiffness->young,

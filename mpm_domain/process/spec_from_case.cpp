@@ -1,5 +1,6 @@
 #include "mpm_domain/process/spec_from_case.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "scene/plan/boundary/springs.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/lining/beam_outline.hpp"
@@ -23,7 +24,8 @@ std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mes
   const int finest = std::ranges::max(mesh.refine, {}, &scene::Refinement::level).level;
   std::vector<materials::Law> laws;
   for (int level = 1; level <= finest; ++level)
-    laws.push_back(materials::for_cell_size(soil.law, mesh.size / (1 << level), *soil.softening_size));
+    laws.push_back(
+        materials::for_cell_size(soil.law, mesh::cell_size(mesh.size, level), *soil.softening_size));
   return laws;
 }
 

@@ -1,5 +1,6 @@
 #include "scene/plan/structures.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "mesh/polygon_measures.hpp"
 #include "mpm_domain/spec/structure.hpp"
 #include "scene/meeting_boxes.hpp"
@@ -115,7 +116,7 @@ double contact_cell_size(const Case& scene) {
   int finest = 0;
   for (const Refinement& refine : scene.mesh.refine)
     finest = std::max(finest, refine.level);
-  return scene.mesh.size / static_cast<double>(1 << finest);
+  return mesh::cell_size(scene.mesh.size, finest);
 }
 
 std::vector<Point> points_on_soil(const Case& scene, std::size_t structure) {

@@ -1,5 +1,6 @@
 #include "scene/plan/output/output_size.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "scene/plan/output/intervals.hpp"
 
 #include "base/dataset_size.hpp"
@@ -110,7 +111,7 @@ std::size_t most_faces(const Case& scene) {
     for (const Refinement& refine : scene.mesh.refine)
       if (meet(edge, refine.box))
         level = std::max(level, refine.level);
-    return scene.mesh.size / static_cast<double>(1 << level) / scene.mesh.particles_per_cell;
+    return mesh::cell_size(scene.mesh.size, level) / scene.mesh.particles_per_cell;
   };
   const double near = 4.0 * scene.mesh.size; // finer cells reach beyond their box by as much at most
   const auto cells = [](double length, double size) {

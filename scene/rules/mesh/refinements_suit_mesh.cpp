@@ -1,3 +1,4 @@
+#include "mesh/cell_size.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ void refinements_suit_mesh(const Case& scene, Findings& findings) {
       findings.add(path + ".box",
                    fmt::format("'box' lies beside the mesh, x {} to {} and y {} to {}: nothing is refined",
                                mesh.box.x_min, mesh.box.x_max, mesh.box.y_min, mesh.box.y_max));
-    const double size = mesh.size / (1 << level);
+    const double size = mesh::cell_size(mesh.size, level);
     const double cells = mesh.box.width() / size * (mesh.box.height() / size);
     if (findings.sound(path + ".level") && !(cells <= most_cells))
       findings.add(

@@ -32,6 +32,12 @@ void expect_balanced(const Quadtree& tree) {
       }
 }
 
+TEST(CellSize, HalvesFromLevelToLevel) {
+  EXPECT_EQ(cell_size(0.3, 0), 0.3);
+  for (int level = 1; level <= finest_level_allowed; ++level)
+    EXPECT_EQ(2.0 * cell_size(0.3, level), cell_size(0.3, level - 1)) << level; // exact: a power of two
+}
+
 TEST(Quadtree, WithoutRefinementIsItsRoots) {
   const Quadtree tree(roots(3, 2), {});
   EXPECT_EQ(tree.finest(), 0);
