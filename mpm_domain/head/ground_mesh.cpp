@@ -73,7 +73,7 @@ private:
 
 void place_nodes(GroundMesh& mesh, const Spec& spec) {
   const HeadGrid& grid = mesh.grid;
-  const double aside = 1e-6 * grid.h;
+  const double aside = mesh::alignment_tolerance(grid.h);
   for (std::size_t i = 0; i < grid.columns; ++i) {
     const double x = grid.place(i, 0).x;
     mesh.left_of.push_back(i > 0 ? ground_at(spec, x - aside) : spec.box.y_min);

@@ -1,5 +1,6 @@
 #include "mpm_domain/spec/grid_shape.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "mpm_domain/spec/limits.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ mesh::Roots roots_of(const GridShape& grid) {
 
 std::vector<mesh::Refinement> refinements_of(std::span<const mesh::Refinement> refine,
                                              const mesh::Rectangle& box, double cell_size, Sides sides) {
-  return mesh::beyond_edges(refine, box, 1e-6 * cell_size, sides != Sides::periodic);
+  return mesh::beyond_edges(refine, box, mesh::alignment_tolerance(cell_size), sides != Sides::periodic);
 }
 
 bool is_split(const mesh::Quadtree& tree, const mesh::Cell& leaf) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/cell_size.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 #include "mpm_domain/spec/spec.hpp"
 
@@ -20,7 +21,7 @@ enum class HeldNodes { on_lines, on_and_behind };
 /// The fixity of a node (column, row) of a lattice by the model's base and, unless they are periodic, its
 /// sides.
 inline Hold hold_of(const Lattice& lattice, int column, int row, const Spec& spec, HeldNodes which) {
-  const double near = 1e-6 * lattice.h;
+  const double near = mesh::alignment_tolerance(lattice.h);
   const auto is_held = [&](double behind) { // m behind a line
     return which == HeldNodes::on_lines ? std::abs(behind) < near : behind > -near;
   };

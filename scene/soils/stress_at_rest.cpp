@@ -1,5 +1,6 @@
 #include "scene/soils/stress_at_rest.hpp"
 
+#include "mesh/cell_size.hpp"
 #include "scene/meeting_boxes.hpp"
 #include "scene/soils/plausible.hpp"
 
@@ -83,7 +84,7 @@ std::vector<RestingSoil> resting_soils(const Case& scene, const std::vector<Grou
 }
 
 std::vector<GroundColumn> columns_of_domain(const Case& scene) {
-  const double inside = 1e-6 * scene.mesh.size;
+  const double inside = mesh::alignment_tolerance(scene.mesh.size);
   std::vector<double> places = {scene.mesh.box.x_min + inside, scene.mesh.box.x_max - inside};
   for (const Region& region : scene.regions)
     if (!region.polygon.empty()) {

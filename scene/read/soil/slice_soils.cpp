@@ -3,6 +3,7 @@
 // int dy/v of a wave, and the force int v dy of a strength, by the midpoint rule.
 
 #include "scene/read/soil/slice_soils.hpp"
+#include "mesh/cell_size.hpp"
 
 #include "scene/read/soil/read_soil.hpp"
 #include "scene/read/soil/read_water.hpp"
@@ -74,7 +75,7 @@ std::vector<double> levels_of(const Extent& extent, const RandomProfile& random)
 
 /// The ends of slices along the lines of the mesh, from the top down.
 std::vector<double> levels_of(const Extent& extent, const Mesh& mesh) {
-  const double near = 1e-6 * mesh.size;
+  const double near = mesh::alignment_tolerance(mesh.size);
   std::vector<double> levels = {extent.high};
   double line = std::floor((extent.high - near - mesh.box.y_min) / mesh.size);
   for (; mesh.box.y_min + line * mesh.size > extent.low + near; --line)
@@ -94,7 +95,7 @@ bool covers(const DepthProfile& profile, const std::string& path, const std::str
   const auto* table = std::get_if<LevelTable>(&profile);
   if (table == nullptr)
     return true;
-  const double near = 1e-6 * scene.mesh.size;
+  const double near = mesh::alignment_tolerance(scene.mesh.size);
   const double surface = scene.surface_level;
   const double first = table->by_depth ? surface - extent.high : extent.low;
   const double last = table->by_depth ? surface - extent.low : extent.high;

@@ -1,3 +1,4 @@
+#include "mesh/cell_size.hpp"
 #include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
@@ -107,7 +108,7 @@ std::vector<std::string> differences(const Case& scene, const LateralBoundary& s
 void profile_is_that_of_side(const Case& scene, Findings& findings) {
   if (!scene.boundary.has_lateral_fields())
     return;
-  const double inside = 1e-6 * scene.mesh.size;
+  const double inside = mesh::alignment_tolerance(scene.mesh.size);
   for (const auto& [side, name, x] :
        {std::tuple(&scene.boundary.left, "left", scene.mesh.box.x_min + inside),
         std::tuple(&scene.boundary.right, "right", scene.mesh.box.x_max - inside)}) {

@@ -1,3 +1,4 @@
+#include "mesh/cell_size.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ void soil_reaches_boundaries(const Case& scene, Findings& findings) {
       !findings.sound("region"))
     return;
   const Box& box = scene.mesh.box;
-  const double tolerance = 1e-6 * scene.mesh.size;
+  const double tolerance = mesh::alignment_tolerance(scene.mesh.size);
 
   const auto check_side = [&](const char* side, double x, double surface) {
     const std::string path =

@@ -1,3 +1,4 @@
+#include "mesh/cell_size.hpp"
 #include "scene/plan/levels.hpp"
 #include "scene/rules/rules.hpp"
 
@@ -19,7 +20,7 @@ struct SideCell {
 
 /// The cells with soil along the left or the right edge of the model, from the bottom up.
 std::vector<SideCell> cells_along(const mesh::Quadtree& tree, const Box& model, bool right, double surface) {
-  const double tolerance = 1e-6 * tree.size(0);
+  const double tolerance = mesh::alignment_tolerance(tree.size(0));
   const double edge = right ? model.x_max : model.x_min;
   std::vector<SideCell> cells;
   for (const mesh::Cell& leaf : tree.leaves()) {
@@ -39,7 +40,7 @@ void springs_tie_equal_cells(const Case& scene, Findings& findings) {
       !findings.sound("boundary.sides") || !findings.sound("refine") || !mesh_is_sound(scene, findings))
     return;
   const mesh::Quadtree tree = quadtree(scene);
-  const double surface = scene.boundary.left.surface - 1e-6 * scene.mesh.size;
+  const double surface = scene.boundary.left.surface - mesh::alignment_tolerance(scene.mesh.size);
   const std::vector<SideCell> left = cells_along(tree, scene.mesh.box, false, surface);
   const std::vector<SideCell> right = cells_along(tree, scene.mesh.box, true, surface);
   const auto [one, other] = std::ranges::mismatch(left, right);

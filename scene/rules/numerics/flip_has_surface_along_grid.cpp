@@ -1,3 +1,4 @@
+#include "mesh/cell_size.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +24,8 @@ bool is_on_line(const Case& scene, Point a, Point b) {
   const double size = scene.mesh.size;
   const auto on_line = [&](double from, double to, double origin) {
     const double cells = (from - origin) / size;
-    return std::abs(to - from) < 1e-6 * size && std::abs(cells - std::round(cells)) < 1e-6;
+    return std::abs(to - from) < mesh::alignment_tolerance(size) &&
+           std::abs(cells - std::round(cells)) < 1e-6;
   };
   return on_line(a.x, b.x, scene.mesh.box.x_min) || on_line(a.y, b.y, scene.mesh.box.y_min);
 }

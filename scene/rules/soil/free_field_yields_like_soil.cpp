@@ -1,3 +1,4 @@
+#include "mesh/cell_size.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/wave/arrival.hpp"
 #include "scene/rules/rules.hpp"
@@ -30,7 +31,7 @@ bool is_linear(const Case& scene, const LateralBoundary& side) {
 
 /// The softest nonlinear soil whose regions reach the edge at x, nullptr if there is none.
 const Soil* soil_that_yields(const Case& scene, double x) {
-  const double near = 1e-6 * scene.mesh.size;
+  const double near = mesh::alignment_tolerance(scene.mesh.size);
   const Soil* softest = nullptr;
   for (const Region& region : scene.regions) {
     const bool there = std::ranges::any_of(region.polygon, [&](Point p) { return std::abs(p.x - x) < near; });
