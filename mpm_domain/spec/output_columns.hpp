@@ -1,7 +1,7 @@
 #pragma once
 
-// The columns of the histories in run.h5, for those who write them and for the plan, which says how much it
-// will be. Each history begins with the time.
+// The columns of the histories in run.h5 and the arrays of its frames, for those who write them and for the
+// plan, which says how much it will be. Each history begins with the time.
 
 #include <array>
 #include <cstddef>
@@ -117,8 +117,27 @@ inline constexpr std::size_t numbers_of_face = 6;
 inline constexpr std::array<OutputColumn, 5> drift_columns{
     {{"x", "m"}, {"y", "m"}, {"dx", "m"}, {"dy", "m"}, {"strength_share", "1"}}};
 
-/// Numbers of a contact node and a frame of /contact: position, normal, area, three forces; its body as an
-/// integer.
-inline constexpr std::size_t numbers_of_contact_node = 8;
+/// An array of a frame, with a row a contact node or particle.
+struct OutputArray {
+  std::string_view name;
+  std::string_view unit;
+  std::size_t components = 1;
+  std::size_t bytes = 8; ///< of a number
+};
+
+/// The arrays of a frame of /contact.
+inline constexpr std::array<OutputArray, 7> contact_arrays{{{"position", "m", 2},
+                                                            {"normal", "1", 2},
+                                                            {"body", "1", 1, 4},
+                                                            {"area", "m"},
+                                                            {"normal_force", "N/m"},
+                                                            {"friction_force", "N/m"},
+                                                            {"water_force", "N/m"}}};
+/// The arrays of a frame of /structures.
+inline constexpr std::array<OutputArray, 5> structure_arrays{{{"position", "m", 2},
+                                                              {"body", "1", 1, 4},
+                                                              {"size", "m"},
+                                                              {"displacement", "m", 2},
+                                                              {"stress", "Pa", 4}}};
 
 } // namespace tremolo::mpm_domain

@@ -1,6 +1,7 @@
 #include "mpm_domain/process/output/body_output.hpp"
 
 #include "mpm_domain/process/output/add_history.hpp"
+#include "mpm_domain/process/output/frames/named_arrays.hpp"
 
 #include <fmt/format.h>
 
@@ -41,13 +42,8 @@ struct BodyPlace {
 } // namespace
 
 std::vector<results::Field> ContactFrame::fields() const {
-  return {{"position", "m", 2, position},
-          {"normal", "1", 2, normal},
-          {"body", "1", 1, body},
-          {"area", "m", 1, area},
-          {"normal_force", "N/m", 1, normal_force},
-          {"friction_force", "N/m", 1, friction_force},
-          {"water_force", "N/m", 1, water_force}};
+  return named_arrays(contact_arrays,
+                      {position, normal, body, area, normal_force, friction_force, water_force});
 }
 
 BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::RunWriter& writer)

@@ -74,10 +74,12 @@ double most_contact_nodes(const Case& scene) {
 double frame_of_contact(const Case& scene) {
   if (scene.structures.empty())
     return 0.0;
-  constexpr double arrays = 7.0;
-  const double values =
-      (8.0 * static_cast<double>(mpm_domain::numbers_of_contact_node) + 4.0) * most_contact_nodes(scene);
-  return frame_bytes + values + arrays * array_overhead_bytes(values / arrays);
+  double bytes = frame_bytes;
+  for (const mpm_domain::OutputArray& array : mpm_domain::contact_arrays) {
+    const double values = static_cast<double>(array.components * array.bytes) * most_contact_nodes(scene);
+    bytes += values + array_overhead_bytes(values);
+  }
+  return bytes;
 }
 
 bool has_elastic_structure(const Case& scene) {
@@ -87,7 +89,7 @@ bool has_elastic_structure(const Case& scene) {
 
 /// Additional size of elastic structures, whose particles are already counted as if they were soil.
 double frame_of_structures(const Case& scene) {
-  constexpr double arrays = 5.0;
+  constexpr auto arrays = static_cast<double>(mpm_domain::structure_arrays.size());
   return has_elastic_structure(scene) ? frame_bytes + arrays * array_overhead_bytes(0.0) : 0.0;
 }
 

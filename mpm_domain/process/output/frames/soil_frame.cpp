@@ -2,9 +2,12 @@
 
 #include "mpm_domain/process/output/followed_point.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <map>
-#include <span>
+#include <stdexcept>
 
 namespace tremolo::mpm_domain {
 
@@ -55,6 +58,66 @@ std::vector<SoilFrame::Carried> carried_fields(const Domain& domain) {
   return fields;
 }
 
+/// Adds the arrays of an output field to those of a frame.
+using Add = void (*)(const SoilFrame&, const scene::OutputFieldRow&, std::vector<results::Field>&);
+
+/// The frame's own array.
+template <auto array>
+void add_own(const SoilFrame& frame, const scene::OutputFieldRow& row, std::vector<results::Field>& fields) {
+  fields.push_back({row.name, row.unit, row.components, frame.*array});
+}
+
+/// The frame's own array about water.
+template <auto array>
+void add_of_water(const SoilFrame& frame, const scene::OutputFieldRow& row,
+                  std::vector<results::Field>& fields) {
+  fields.push_back({row.name, row.unit, row.components, frame.water.*array});
+}
+
+results::Field as_field(const SoilFrame::Carried& field) {
+  return {field.name, field.unit, field.components.size(), field.values};
+}
+
+/// The array of what particles carry under the field's name.
+void add_carried(const SoilFrame& frame, const scene::OutputFieldRow& row,
+                 std::vector<results::Field>& fields) {
+  const auto field = std::ranges::find(frame.carried, row.name, &SoilFrame::Carried::name);
+  if (field == frame.carried.end())
+    throw std::logic_error(fmt::format("particles carry no field '{}' for frames", row.name));
+  fields.push_back(as_field(*field));
+}
+
+/// An array for each state variable.
+void add_states(const SoilFrame& frame, const scene::OutputFieldRow&, std::vector<results::Field>& fields) {
+  for (std::size_t v = 0; v < frame.variables.size(); ++v)
+    fields.push_back({frame.variables[v].name, frame.variables[v].unit, 1, frame.states[v]});
+}
+
+/// Where the arrays of an output field come from.
+struct Source {
+  scene::OutputField field;
+  Add add;
+};
+
+constexpr std::array sources{
+    Source{scene::OutputField::displacement, add_own<&SoilFrame::displacement>},
+    Source{scene::OutputField::velocity, add_carried},
+    Source{scene::OutputField::acceleration, add_own<&SoilFrame::acceleration>},
+    Source{scene::OutputField::stress, add_carried},
+    Source{scene::OutputField::state, add_states},
+    Source{scene::OutputField::pore_pressure, add_of_water<&SoilFrame::Water::pressure>},
+    Source{scene::OutputField::excess_pore_pressure, add_of_water<&SoilFrame::Water::excess>},
+    Source{scene::OutputField::pore_pressure_ratio, add_of_water<&SoilFrame::Water::ratio>},
+    Source{scene::OutputField::darcy_velocity, add_of_water<&SoilFrame::Water::flux>},
+};
+static_assert(std::ranges::equal(sources, scene::output_fields, {}, &Source::field,
+                                 &scene::OutputFieldRow::field),
+              "every output field of a case has its source here, in the order of scene::output_fields");
+
+bool is_output_field(std::string_view name) {
+  return value_named<scene::OutputField>(name).has_value();
+}
+
 /// Makes room for so many particles, so that no array grows to twice what it needs.
 void reserve(SoilFrame& frame, std::size_t particles) {
   for (std::vector<double>* vectors : {&frame.position, &frame.displacement, &frame.acceleration})
@@ -80,8 +143,8 @@ std::vector<std::string> soil_names(const Spec& spec) {
 bool is_wanted(const scene::Case& scene, std::string_view name) {
   if (name == "volume") // which stress needs
     return wants(scene, scene::OutputField::stress);
-  const auto* const known = std::ranges::find(scene::output_fields, name, &scene::OutputFieldRow::name);
-  return known == scene::output_fields.end() || wants(scene, known->field);
+  const auto field = value_named<scene::OutputField>(name);
+  return !field || wants(scene, *field);
 }
 
 SoilFrame::SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, bool has_water) {
@@ -143,23 +206,12 @@ std::vector<results::Field> SoilFrame::fields(const scene::Case& scene) const {
   std::vector<results::Field> wanted{{"position", "m", 2, position}, {"soil", "1", 1, soil}};
   if (!size.empty())
     wanted.push_back({"size", "m", 1, size});
-  const auto add = [&](scene::OutputField field, std::span<const double> values) {
-    const scene::OutputFieldRow& known = scene::row(field);
+  for (const auto& [field, add] : sources)
     if (wants(scene, field))
-      wanted.push_back({known.name, known.unit, known.components, values});
-  };
-  add(scene::OutputField::displacement, displacement);
-  add(scene::OutputField::acceleration, acceleration);
+      add(*this, scene::row(field), wanted);
   for (const Carried& field : carried)
-    if (is_wanted(scene, field.name))
-      wanted.push_back({field.name, field.unit, field.components.size(), field.values});
-  if (wants(scene, scene::OutputField::state))
-    for (std::size_t v = 0; v < variables.size(); ++v)
-      wanted.push_back({variables[v].name, variables[v].unit, 1, states[v]});
-  add(scene::OutputField::pore_pressure, water.pressure);
-  add(scene::OutputField::excess_pore_pressure, water.excess);
-  add(scene::OutputField::pore_pressure_ratio, water.ratio);
-  add(scene::OutputField::darcy_velocity, water.flux);
+    if (!is_output_field(field.name) && is_wanted(scene, field.name))
+      wanted.push_back(as_field(field));
   return wanted;
 }
 

@@ -1,6 +1,7 @@
 #include "mpm_domain/process/output/frames/structure_frame.hpp"
 
 #include "mpm_domain/process/output/followed_point.hpp"
+#include "mpm_domain/process/output/frames/named_arrays.hpp"
 #include "mpm_domain/process/output/frames/soil_frame.hpp"
 
 namespace tremolo::mpm_domain {
@@ -24,11 +25,8 @@ std::vector<results::Field> StructureFrame::fields(const scene::Case& scene) con
   std::vector<results::Field> wanted;
   if (body.empty())
     return wanted;
-  for (const results::Field& field : std::vector<results::Field>{{"position", "m", 2, position},
-                                                                 {"body", "1", 1, body},
-                                                                 {"size", "m", 1, size},
-                                                                 {"displacement", "m", 2, displacement},
-                                                                 {"stress", "Pa", 4, stress}})
+  for (const results::Field& field :
+       named_arrays(structure_arrays, {position, body, size, displacement, stress}))
     if (is_wanted(scene, field.name))
       wanted.push_back(field);
   return wanted;
