@@ -9,6 +9,7 @@
 #include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
+#include "mpm_domain/spec/conflicts.hpp"
 #include "mpm_domain/spec/limits.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
 
@@ -31,23 +32,24 @@ Grid make_grid(const Spec& spec) {
   return grid;
 }
 
-/// Conditions that structures impose on the rest of the spec.
-void check_structures(const Spec& spec) {
-  if (spec.scheme.transfer != Transfer::apic || spec.scheme.subcycle)
-    throw std::invalid_argument("structures need the transfer apic and the same step on all levels");
-  for (const Structure& structure : spec.structures)
-    if (structure.friction.size() != spec.soils.size() || structure.adhesion.size() != spec.soils.size())
-      throw std::invalid_argument(
-          fmt::format("structure '{}' needs friction and adhesion for each of {} soils", structure.name,
-                      spec.soils.size()));
+/// A structure or lining meets each soil with friction and adhesion.
+template <class Body>
+void check_contact(const char* kind, const Body& body, const Spec& spec) {
+  if (body.friction.size() != spec.soils.size() || body.adhesion.size() != spec.soils.size())
+    throw std::invalid_argument(fmt::format("{} '{}' needs friction and adhesion for each of {} soils", kind,
+                                            body.name, spec.soils.size()));
+}
+
+int finest_level(const Spec& spec) {
+  int finest = 0;
+  for (const mesh::Refinement& refine : spec.refine)
+    finest = std::max(finest, refine.level);
+  return finest;
 }
 
 /// A box around an outline and two of the finest cells beside it, m.
 Box room_around(const std::vector<Vector>& outline, const Spec& spec) {
-  int finest = 0;
-  for (const mesh::Refinement& refine : spec.refine)
-    finest = std::max(finest, refine.level);
-  const double margin = 2.0 * mesh::cell_size(spec.cell_size, finest);
+  const double margin = 2.0 * mesh::cell_size(spec.cell_size, finest_level(spec));
   Box box{outline.front().x, outline.front().y, outline.front().x, outline.front().y};
   for (const Vector& corner : outline)
     box = {std::min(box.x_min, corner.x), std::min(box.y_min, corner.y), std::max(box.x_max, corner.x),
@@ -65,10 +67,8 @@ void check_room_of(const Lining& lining, const Spec& spec) {
         fmt::format("lining '{}' comes within two cells of the sides or the base of the "
                     "model: a model that is larger by that much holds it",
                     lining.name));
-  int finest = 0;
+  const int finest = finest_level(spec);
   bool on_finest = spec.refine.empty();
-  for (const mesh::Refinement& refine : spec.refine)
-    finest = std::max(finest, refine.level);
   for (const auto& [box, level] : spec.refine)
     on_finest |= level == finest && box.x_min <= room.x_min && box.y_min <= room.y_min &&
                  box.x_max >= room.x_max && box.y_max >= std::min(room.y_max, spec.box.y_max);
@@ -92,22 +92,6 @@ void check_room_of(const Lining& lining, const Spec& spec) {
       refuse_near(other.name, other.outline);
 }
 
-/// Conditions that linings impose on the rest of the spec.
-void check_linings(const Spec& spec) {
-  if (spec.scheme.transfer != Transfer::apic || spec.scheme.subcycle ||
-      spec.scheme.dispersion == Dispersion::reduced)
-    throw std::invalid_argument(
-        "linings need the transfer apic, full dispersion and the same step on all levels");
-  if (spec.rigid_base)
-    throw std::invalid_argument("a rigid base goes without linings");
-  for (const Lining& lining : spec.linings) {
-    if (lining.friction.size() != spec.soils.size() || lining.adhesion.size() != spec.soils.size())
-      throw std::invalid_argument(fmt::format("lining '{}' needs friction and adhesion for each of {} soils",
-                                              lining.name, spec.soils.size()));
-    check_room_of(lining, spec);
-  }
-}
-
 /// Holes of elastic structures are dry.
 void check_holes(const Spec& spec, const std::optional<Head>& head) {
   for (const Structure& structure : spec.structures)
@@ -119,31 +103,7 @@ void check_holes(const Spec& spec, const std::optional<Head>& head) {
                       structure.name));
 }
 
-/// Conditions that reduced dispersion imposes on the rest of the spec. Soil that yields is refused by a rule
-/// of scenes only, because it does run.
-void check_dispersion(const Spec& spec) {
-  if (spec.scheme.transfer != Transfer::apic || spec.scheme.order != StepOrder::musl ||
-      spec.particles_per_cell < 2 || spec.boxes != ParticleBoxes::fixed || !spec.refine.empty() ||
-      spec.water || !spec.structures.empty() || spec.sides == Sides::periodic_springs)
-    throw std::invalid_argument(
-        "reduced dispersion needs the transfer apic, the order musl, two to four particles a cell and "
-        "direction, boxes that keep their size, cells of one size, sides without springs, and a domain "
-        "without "
-        "water and structures");
-}
-
-/// Conditions that a rigid base imposes on the rest of the spec.
-void check_rigid_base(const Spec& spec) {
-  if (spec.sides != Sides::container && spec.sides != Sides::periodic)
-    throw std::invalid_argument("a rigid base goes with the walls of a container or with periodic sides");
-  if (!spec.structures.empty() || !spec.matched_sides.empty() ||
-      spec.scheme.dispersion == Dispersion::reduced)
-    throw std::invalid_argument("a rigid base goes without structures, matched layers and reduced "
-                                "dispersion");
-}
-
-/// Loads lie inside the model, on soil that no structure covers; they exclude sub-cycling and sides that move
-/// apart.
+/// Loads lie inside the model, on soil that no structure covers.
 template <typename RefuseUnless>
 void check_loads(const Spec& spec, const RefuseUnless& refuse_unless) {
   for (const SurfaceLoad& load : spec.loads) {
@@ -156,10 +116,6 @@ void check_loads(const Spec& spec, const RefuseUnless& refuse_unless) {
                   load.pressure, "finite, >= 0");
     refuse_unless(std::isfinite(load.shear), "the shear of a load (Pa)", load.shear, "finite");
   }
-  if (spec.scheme.subcycle || spec.sides == Sides::periodic_springs)
-    throw std::invalid_argument(
-        "a load on the surface goes neither with sub-cycling nor with springs between "
-        "the sides");
   for (const Structure& structure : spec.structures) {
     const auto [left, right] = std::ranges::minmax(structure.outline, {}, &Vector::x);
     for (const SurfaceLoad& load : spec.loads)
@@ -188,19 +144,7 @@ const Spec& checked(const Spec& spec) {
                 "particles per cell and direction", spec.particles_per_cell, "1 to 4");
   refuse_unless(spec.scheme.fraction > 0.0 && spec.scheme.fraction <= 1.0,
                 "the fraction of the critical time step", spec.scheme.fraction, "in (0, 1]");
-  if (spec.scheme.subcycle && (spec.refine.empty() || spec.scheme.transfer != Transfer::apic ||
-                               spec.scheme.order != StepOrder::musl || spec.sides == Sides::periodic_springs))
-    throw std::invalid_argument("sub-cycling needs a refined mesh, the transfer apic, the order musl, "
-                                "and sides without springs");
-  if (spec.scheme.subcycle && spec.water)
-    throw std::invalid_argument("soil below a water table takes the same step on all levels: sub-cycling is "
-                                "for domains without water");
-  if (spec.scheme.dispersion == Dispersion::reduced)
-    check_dispersion(spec);
-  if (spec.rigid_base)
-    check_rigid_base(spec);
-  else if (spec.sides == Sides::container)
-    throw std::invalid_argument("the walls of a container stand on a rigid base");
+  refuse_conflicts(spec);
   refuse_unless(spec.threads >= 1, "the number of threads", spec.threads, ">= 1");
   if (spec.soils.empty())
     throw std::invalid_argument("the domain has no soil");
@@ -215,12 +159,13 @@ const Spec& checked(const Spec& spec) {
     if (spec.water && soil.pores)
       materials::validate(*soil.pores);
   }
-  if (!spec.structures.empty())
-    check_structures(spec);
-  if (!spec.linings.empty())
-    check_linings(spec);
-  if (!spec.loads.empty())
-    check_loads(spec, refuse_unless);
+  for (const Structure& structure : spec.structures)
+    check_contact("structure", structure, spec);
+  for (const Lining& lining : spec.linings) {
+    check_contact("lining", lining, spec);
+    check_room_of(lining, spec);
+  }
+  check_loads(spec, refuse_unless);
   if (spec.water) {
     materials::validate(spec.water->fluid);
     refuse_unless(spec.gravity > 0.0, "gravity above a water table (m/s2)", spec.gravity, "> 0");

@@ -34,9 +34,6 @@ std::size_t removal_of(const Region& region, const std::vector<Earthwork>& all, 
 Earthworks::Earthworks(Ground& ground) : going_(ground.spec.earthworks.size()) {
   if (!any())
     return;
-  if (ground.spec.scheme.subcycle || ground.is_sharp())
-    throw std::invalid_argument("earthworks after a shaking go neither with sub-cycling nor with reduced "
-                                "dispersion");
   const std::vector<Earthwork>& all = ground.spec.earthworks;
   for (const Earthwork& work : all)
     for (const Region& region : work.place)

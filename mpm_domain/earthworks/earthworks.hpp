@@ -29,8 +29,7 @@ class Earthworks {
 public:
   /// Finds the particles that will go, which stay whole until then.
   /// @param ground  at the start
-  /// @throws std::invalid_argument for soil that lies below the water, or with what goes without earthworks:
-  /// sub-cycling and reduced dispersion
+  /// @throws std::invalid_argument for soil that lies below the water
   explicit Earthworks(Ground& ground);
 
   bool any() const { return !going_.empty(); }

@@ -23,27 +23,10 @@ void motion_is_that_of_the_table(const MotionInput& motion, Findings& findings) 
 } // namespace
 
 void shaking_table_suits_case(const Case& scene, Findings& findings) {
-  const Boundary& boundary = scene.boundary;
-  if (!findings.sound("boundary.sides") || !findings.sound("boundary.base.model"))
+  if (!scene.boundary.has_shaking_table() || !findings.sound("boundary.base.model"))
     return;
-  if (!boundary.has_shaking_table()) {
-    if (boundary.sides == Sides::container)
-      findings.add("boundary.sides",
-                   "sides = \"container\" are walls that stand on a shaking table: they need "
-                   "[boundary.base] model = \"shaking_table\"");
-    return;
-  }
-  if (boundary.sides != Sides::container && boundary.sides != Sides::periodic)
-    findings.add(
-        "boundary.sides",
-        fmt::format("sides = \"{}\", but a shaking table carries a container or ground that repeats itself: "
-                    "use sides = \"container\" or \"periodic\"",
-                    name(boundary.sides)));
   for (const MotionInput* motion : scene.plane_waves())
     motion_is_that_of_the_table(*motion, findings);
-  if (!scene.structures.empty())
-    findings.add("structure",
-                 "soil on a shaking table carries no structures: their inertia there was not studied");
 }
 
 } // namespace tremolo::scene

@@ -34,28 +34,8 @@ void dispersion_suits_case(const Case& scene, Findings& findings) {
   const auto refuse = [&](std::string_view why) {
     findings.add("mesh.dispersion", fmt::format("'dispersion' = \"reduced\" {}", why));
   };
-  if (scene.time.transfer != Transfer::apic && findings.sound("time.transfer"))
-    refuse("needs transfer = \"apic\": the error of FLIP is its transfer's, which it does not touch");
-  if (scene.time.order != StepOrder::musl && findings.sound("time.order"))
-    refuse("needs order = \"musl\": it sharpens the velocity that is mapped to the nodes once more");
-  if (scene.mesh.particles_per_cell < 2 && findings.sound("mesh.particles_per_cell"))
-    refuse("needs particles_per_cell = 2 to 4: one particle a cell loses more of a wave in its transfer");
-  if (scene.mesh.particle_boxes != ParticleBoxes::fixed && findings.sound("mesh.particle_boxes"))
-    refuse("needs particle_boxes = \"fixed\": it reads strains in boxes of its own");
-  if (!scene.mesh.refine.empty())
-    refuse("is for cells of one size: its differences end where levels meet, and that costs more than finer "
-           "cells "
-           "gain");
-  if (scene.boundary.sides == Sides::periodic_springs && findings.sound("boundary.sides"))
-    refuse("needs sides = \"free_field\" or \"periodic\" in [boundary]");
-  if (scene.boundary.has_shaking_table() && findings.sound("boundary.base.model"))
-    refuse("is for a base on ground: it was not studied at nodes that a shaking table holds");
   if (has_mpm_column(scene))
     refuse("needs a free field other than \"mpm\", whose levels read their velocities as means over nodes");
-  if (scene.water)
-    refuse("is for cases without [water]: the pressure of pore water would need differences of its own");
-  if (!scene.structures.empty())
-    refuse("is for cases without [[structure]]: what rests on sharpened soil does not stay at rest");
   if (findings.sound("soil"))
     if (const Soil* soil = unsuited_soil(scene))
       refuse(fmt::format("is for elastic and hysteretic soil: slopes that yield, as soil '{}' may, fail "

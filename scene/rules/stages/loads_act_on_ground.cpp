@@ -87,25 +87,19 @@ void loads_act_on_ground(const Case& scene, Findings& findings) {
   for (const LoadStage& load : scene.loads) {
     if (load.on_structure() || !findings.sound(load.path + ".x_m"))
       continue;
-    const auto refuse = [&](const std::string& key, const std::string& why) {
-      findings.add(load.path + key, fmt::format("the load '{}' {}", load.name, why));
+    const auto refuse = [&](const std::string& why) {
+      findings.add(load.path + ".x_m", fmt::format("the load '{}' {}", load.name, why));
     };
     if (const std::string lack = lack_of_ground(scene, load); !lack.empty())
-      refuse(".x_m", lack);
+      refuse(lack);
     else if (const std::string side = reached_side(scene, load); !side.empty())
-      refuse(".x_m",
-             fmt::format("reaches the {} side of the model, whose free field does not have it: end it "
+      refuse(fmt::format("reaches the {} side of the model, whose free field does not have it: end it "
                          "before, or take sides that are periodic or a container",
                          side));
     if (const Structure* const above = structure_above(scene, load))
-      refuse(".x_m",
-             fmt::format("lies where the structure '{}' is, from x = {:g} to {:g} m, and acts on soil "
+      refuse(fmt::format("lies where the structure '{}' is, from x = {:g} to {:g} m, and acts on soil "
                          "alone: end it beside the structure, or load that one, by 'structure'",
                          above->name, extent(*above).first, extent(*above).second));
-    if (scene.time.subcycle)
-      refuse("", "does not go with [time] subcycle = true yet: leave the key out");
-    if (scene.boundary.sides == Sides::periodic_springs)
-      refuse("", "does not go with sides = \"periodic_springs\": use \"periodic\"");
   }
 }
 

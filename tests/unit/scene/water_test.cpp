@@ -226,8 +226,9 @@ TEST(GroundWater, GoesWithOneStepForAllLevels) {
                         "0.4\npermeability = 1e-4\n",
                         with("[[stage]]", "[[stage]]\nkind = \"gravity\"\n[[stage]]"));
   EXPECT_THAT(errors_of(wet), ElementsAre());
-  EXPECT_THAT(errors_of(wet + "\n[time]\nsubcycle = true\n"),
-              Contains(HasSubstr("is for cases without [water]")));
+  EXPECT_THAT(
+      errors_of(wet + "\n[time]\nsubcycle = true\n"),
+      Contains(HasSubstr("'subcycle' = true does not go with ground water: water flows between soil")));
 }
 
 TEST(GroundWater, FieldsOfPoreWaterNeedIt) {

@@ -132,16 +132,7 @@ TEST(Rules, LiningsHaveWeight) {
               ElementsAre(HasSubstr("[[lining]] without weight nothing presses the soil to a lining")));
 }
 
-TEST(Rules, LiningsSuitCase) {
-  EXPECT_THAT(
-      errors_of(with_ring() + "[time]\ntransfer = \"flip\"\n"),
-      ElementsAre("case.toml:42:12: [time] 'transfer' = \"flip\" is for cases without [[lining]], must be "
-                  "\"apic\": contact changes the velocity that particles take from the grid"));
-  EXPECT_THAT(errors_of(with_ring() + "[time]\nsubcycle = true\n[[refine]]\nbox = [6.0, -9.0, 14.0, "
-                                      "-1.0]\nlevel = 1\n"),
-              ElementsAre(HasSubstr("'subcycle' = true is for cases without [[lining]]")));
-  EXPECT_THAT(errors_of(ring_with("size = 1.0", "size = 1.0\ndispersion = \"reduced\"")),
-              ElementsAre(HasSubstr("'dispersion' = \"reduced\" is for cases without [[lining]]")));
+TEST(Linings, StandInGroundWater) {
   std::string wet = with("[soil.sand]",
                          "[water]\nlevel = -1.0\n[soil.sand]\nporosity = 0.4\n"
                          "permeability = 1e-4",
@@ -151,10 +142,6 @@ TEST(Rules, LiningsSuitCase) {
   const std::string shaken = "kind = \"gravity\"\n[[stage]]\n";
   const std::string water = "kind = \"water\"\nname = \"pumps\"\nlevel = -2.0\n[[stage]]\n";
   EXPECT_THAT(errors_of(with(shaken, shaken + water, wet)), IsEmpty());
-  std::string table = with("base = { model = \"wave\", form = \"total\" }",
-                           "sides = \"periodic\"\nbase = { model = \"shaking_table\" }", with_ring());
-  table = with("left = { model = \"wave\" }\nright = { model = \"wave\" }\n", "", table);
-  EXPECT_THAT(errors_of(table), Contains(HasSubstr("soil on a shaking table carries no linings")));
 }
 
 TEST(Rules, LiningsLieInGroundBeforeAndAfterAConstruction) {

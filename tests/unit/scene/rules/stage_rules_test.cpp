@@ -84,8 +84,9 @@ TEST(Loads, ComeAfterGravity) {
               ElementsAre(HasSubstr("the stage in line 31 has the name 'load' already")));
   EXPECT_THAT(errors_of(with("[[stage]]", load() + "[[stage]]")),
               ElementsAre(HasSubstr("a load must come after a gravity stage")));
-  EXPECT_THAT(errors_of(heavy() + load()),
-              ElementsAre(HasSubstr("missing 'ramp_s': after a shaking the change grows in the soil's own time")));
+  EXPECT_THAT(
+      errors_of(heavy() + load()),
+      ElementsAre(HasSubstr("missing 'ramp_s': after a shaking the change grows in the soil's own time")));
   EXPECT_THAT(errors_of(with("[[stage]]", load() + "[[stage]]\nkind = \"gravity\"\n[[stage]]")),
               Contains(HasSubstr("the gravity stage must come before a load")));
 }
@@ -118,8 +119,6 @@ TEST(Rules, LoadsActOnGround) {
                            "-3.0], [10.0, 0.0], [0.0, 0.0]]";
   EXPECT_THAT(errors_of(with(std::string(polygon), step, loaded())),
               ElementsAre(HasSubstr("reaches over a wall of 3 m at x = 10 m")));
-  EXPECT_THAT(errors_of(loaded(load(), with("[[stage]]", "[time]\nsubcycle = true\n[[stage]]"))),
-              Contains(HasSubstr("the load 'load' does not go with [time] subcycle = true")));
 }
 
 TEST(Rules, LoadsAreRamped) {

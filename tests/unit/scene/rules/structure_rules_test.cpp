@@ -167,15 +167,11 @@ TEST(Rules, StructuresHaveWeight) {
                             "the soil")));
 }
 
-TEST(Rules, StructuresSuitTimeStepping) {
-  EXPECT_THAT(errors_of(with_block() + "[time]\ntransfer = \"flip\"\n"),
-              ElementsAre(HasSubstr("case.toml:40:12: [time] 'transfer' = \"flip\" is for cases without "
-                                    "[[structure]], must be \"apic\"")));
-  EXPECT_THAT(errors_of(with_block() +
-                        "[[refine]]\nbox = [4.0, -4.0, 16.0, 0.0]\nlevel = 1\n[time]\nsubcycle "
-                        "= true\n"),
-              ElementsAre(HasSubstr("case.toml:43:12: [time] 'subcycle' = true is for cases without "
-                                    "[[structure]]")));
+TEST(Rules, StructuresGoWithUsl) {
+  EXPECT_THAT(
+      errors_of(with_block() + "[time]\ntransfer = \"flip\"\n"),
+      ElementsAre(HasSubstr("case.toml:40:12: [time] 'transfer' = \"flip\" does not go with structures: "
+                            "contact changes")));
   EXPECT_THAT(errors_of(with_block() + "[time]\norder = \"usl\"\n"), IsEmpty());
 }
 
