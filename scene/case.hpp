@@ -229,8 +229,12 @@ struct Boundary {
   bool has_equal_sides() const {
     return left.surface == right.surface && left.own_profile.empty() && right.own_profile.empty();
   }
-  /// Whether the base moves as [motion] says, without ground below it.
-  bool has_shaking_table() const { return base.field.model == SourceModel::shaking_table; }
+  /// Whether the model stands on ground, which free fields have too.
+  bool has_ground_below() const { return base.field.model != SourceModel::shaking_table; }
+  /// Whether the motion comes as waves of that ground, at an angle and after a while.
+  bool takes_waves() const { return has_ground_below(); }
+  /// Whether the base moves as [motion] says, whatever the soil does; the run is seen from it.
+  bool base_is_rigid() const { return !has_ground_below(); }
 };
 
 /// [[stage]] kind = "gravity": base fixed, sides on rollers, damped relaxation to rest.

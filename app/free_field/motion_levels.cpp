@@ -83,9 +83,8 @@ std::string text_of_wave(const scene::Case& scene, const scene::MotionInput& inp
 std::string motion_levels_text(const scene::Case& scene) {
   std::string text;
   for (const scene::MotionInput* input : scene.plane_waves())
-    text +=
-        fmt::format("{}: peak acceleration {}", input == &scene.motion ? "motion" : "vertical motion",
-                    scene.boundary.has_shaking_table() ? text_of_table(*input) : text_of_wave(scene, *input));
+    text += fmt::format("{}: peak acceleration {}", input == &scene.motion ? "motion" : "vertical motion",
+                        scene.boundary.takes_waves() ? text_of_wave(scene, *input) : text_of_table(*input));
   return text;
 }
 

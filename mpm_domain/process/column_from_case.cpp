@@ -75,7 +75,7 @@ Spec column_spec(const scene::Case& scene, const scene::SourceProcess& source) {
 /// table, from which the domain is seen.
 std::function<Vector(double, double)> rock_motion_below(const scene::Case& scene,
                                                         const scene::SourceProcess& source) {
-  if (scene.boundary.has_shaking_table() || !(scene::mass_damping(scene, 1.0) > 0.0))
+  if (scene.boundary.base_is_rigid() || !(scene::mass_damping(scene, 1.0) > 0.0))
     return [](double, double) { return Vector{}; };
   return [motion = freefield::rock_motion(scene, source)](double x, double time) {
     const freefield::Velocity v = motion(x, time);

@@ -190,7 +190,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
                  .dispersion = scene.mesh.dispersion};
   const auto& [sides, left, right, base] = scene.boundary;
   spec.sides = sides;
-  spec.rigid_base = scene.boundary.has_shaking_table();
+  spec.rigid_base = scene.boundary.base_is_rigid();
   if (left.absorber == scene::Absorber::matched_layer)
     spec.matched_sides.push_back(Side::left);
   if (right.absorber == scene::Absorber::matched_layer)

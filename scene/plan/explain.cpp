@@ -52,7 +52,7 @@ std::string motion_text(const Case& scene, const MotionInput& motion) {
     else
       source += std::get<MotionFile>(shaking.source).path.filename().string();
   }
-  if (scene.boundary.has_shaking_table())
+  if (!scene.boundary.takes_waves())
     return fmt::format("{}, of a shaking table along {}", source, motion.wave == Wave::sv ? "x" : "y");
   return fmt::format("{}, {} motion of the {} wave at {} degrees, given at ({}, {})", source,
                      name(motion.kind), name(motion.wave), motion.angle_deg, motion.reference.x,
@@ -73,7 +73,7 @@ std::string layers_text(const std::vector<Layer>& layers) {
 
 /// The ground below the surface of a free field's source.
 std::string ground_text(const Case& scene, const SourceProcess& source) {
-  if (source.field.model == SourceModel::shaking_table)
+  if (!scene.boundary.has_ground_below())
     return {};
   const std::string water = scene.water && !scene.water->is_level() && traits(source.field.model).computed
                                 ? fmt::format(", water table at y = {} m", water_level(scene, source))

@@ -51,7 +51,7 @@ std::optional<std::size_t> beginning_at(double level, double surface, const std:
 } // namespace
 
 std::optional<materials::Elasticity> ground_below_base(const Case& scene) {
-  if (scene.boundary.has_shaking_table())
+  if (!scene.boundary.has_ground_below())
     return std::nullopt;
   const auto below = [&](const LateralBoundary& side) -> std::optional<materials::Elasticity> {
     const std::vector<Layer>& own = layers(scene, side);

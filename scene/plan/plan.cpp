@@ -234,9 +234,9 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
                            : "")},
       {"free field", true, "[boundary]: " + listed(sources)},
       {"periodic sides", sides == Sides::periodic || sides == Sides::periodic_springs, sides_text(sides)},
-      {"shaking table", scene.boundary.has_shaking_table(),
-       scene.boundary.has_shaking_table() ? "[boundary.base] model = \"shaking_table\", " + sides_text(sides)
-                                          : "the base of the model lies on ground"},
+      {"shaking table", scene.boundary.base_is_rigid(),
+       scene.boundary.base_is_rigid() ? "[boundary.base] model = \"shaking_table\", " + sides_text(sides)
+                                      : "the base of the model lies on ground"},
       {"matched layers", layered,
        layered ? "[boundary]: absorber = \"matched_layer\""
                : "no side of [boundary] has absorber = \"matched_layer\""},

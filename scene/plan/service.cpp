@@ -39,7 +39,7 @@ Service service(const Case& scene, const SourceProcess& source, double slowness_
   };
   const Box& box = scene.mesh.box;
   Service service;
-  if (scene.boundary.has_shaking_table())
+  if (scene.boundary.base_is_rigid())
     service.lines.push_back({BaseForm::total, {box.y_min}});
   else if (serves(BaseForm::total))
     service.lines.push_back({BaseForm::total, levels(scene, source)});

@@ -63,7 +63,7 @@ std::vector<SourceProcess> plan_sources(const Case& scene) {
 std::string describe_base(const Case& scene, const std::vector<SourceProcess>& sources) {
   const auto& [sides, left, right, base] = scene.boundary;
   const auto& source = sources[source_index(sources, Side::base)];
-  if (scene.boundary.has_shaking_table())
+  if (scene.boundary.base_is_rigid())
     return fmt::format("shaking table: rigid, it moves as '{}' says; the run is seen from it", source.name);
   if (base.form == BaseForm::total)
     return fmt::format("total: velocity and stress of the whole free field with its surface at y = {} m, "

@@ -18,9 +18,11 @@ namespace {
 /// Whether the record that [motion] names must be there.
 enum class CaseRecord { needed, to_be_made };
 
-/// Whether the base of the model is a rigid one, which what is read before [boundary] depends on.
-bool has_shaking_table(const toml::table& root) {
-  return root.at_path("boundary.base.model").value<std::string_view>() == name(SourceModel::shaking_table);
+/// What carries the model, on which tables depend that are read before [boundary].
+void read_base_model(const toml::table& root, Case& scene) {
+  const auto word = root.at_path("boundary.base.model").value<std::string_view>();
+  if (const auto model = value_named<SourceModel>(word.value_or("")))
+    scene.boundary.base.field.model = *model;
 }
 
 /// [boundary.left] and [boundary.right], of which one is asked for.
@@ -89,8 +91,7 @@ Case parse(std::string_view text, const std::filesystem::path& file, const std::
   read_mesh(document, scene);
   if (!document.has("soil"))
     document.named("soil"); // reports that there is none
-  if (has_shaking_table(root))
-    scene.boundary.base.field.model = SourceModel::shaking_table;
+  read_base_model(root, scene);
   read_stages(document, findings, scene);
   read_free_field(document, findings, scene);
   read_boundary(document, findings, scene);

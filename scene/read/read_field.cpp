@@ -62,7 +62,7 @@ namespace {
 void read_ends_of_ground(Document& document, Findings& findings, Case& scene) {
   for (const auto& [name, what] : {std::pair("surface", "the free surface of the free field"),
                                    std::pair("halfspace", "the half-space below the free field")})
-    if (!scene.boundary.has_shaking_table() && !document.has(name))
+    if (scene.boundary.has_ground_below() && !document.has(name))
       findings.add(name,
                    fmt::format("missing table [{}]: {}, unless the base is a shaking table", name, what));
   if (document.has("surface"))
@@ -97,7 +97,7 @@ void read_free_field(Document& document, Findings& findings, Case& scene) {
   read_random_profile(document, findings, scene);
   scene.profile = watered_profile(scene);
   read_numerics(document, scene);
-  if (scene.boundary.has_shaking_table())
+  if (!scene.boundary.has_ground_below())
     refuse_ground_below_table(document, findings);
 }
 

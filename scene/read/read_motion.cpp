@@ -23,7 +23,7 @@ void read_way(const TableReader& table, MotionInput& input) {
 
 void require_key(const TableReader& table, const char* key, const char* what, const Case& scene,
                  Findings& findings) {
-  if (!table.given(key) && !scene.boundary.has_shaking_table() && findings.sound(table.path()))
+  if (!table.given(key) && scene.boundary.takes_waves() && findings.sound(table.path()))
     findings.add(table.path(key), fmt::format("missing '{}': {}", key, what));
 }
 

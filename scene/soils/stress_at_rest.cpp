@@ -108,7 +108,7 @@ std::vector<GroundColumn> free_fields_at_rest(const Case& scene, std::optional<S
     add(left.field, left);
     add(right.field, right);
   }
-  if (!scene.boundary.has_shaking_table())
+  if (scene.boundary.has_ground_below())
     add(base.field, left);
   return columns;
 }

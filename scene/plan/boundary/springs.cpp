@@ -35,7 +35,7 @@ const SpringKeys& keys_of(const Case& scene, Side side) {
 bool has_dashpots(const Case& scene, Side side) {
   const auto& [sides, left, right, base] = scene.boundary;
   if (side == Side::base)
-    return base.absorber == Absorber::dashpots && !scene.boundary.has_shaking_table();
+    return base.absorber == Absorber::dashpots && scene.boundary.has_ground_below();
   return scene.boundary.has_lateral_fields() &&
          (side == Side::left ? left : right).absorber == Absorber::dashpots;
 }

@@ -130,7 +130,7 @@ double histories(const Case& scene, const Plan& plan) {
   const std::size_t point = mpm_domain::followed_point_columns.size() +
                             (scene.water ? mpm_domain::followed_water_columns.size() : 0);
   double bytes = table(1 + mpm_domain::energy_columns.size());
-  if (scene.boundary.has_shaking_table())
+  if (scene.boundary.base_is_rigid())
     bytes += table(mpm_domain::table_columns.size());
   for (const Monitor& monitor : scene.monitors)
     bytes +=

@@ -12,7 +12,7 @@
 namespace tremolo::scene {
 
 double delay_to_model(const Case& scene, const MotionInput& wave) {
-  if (scene.boundary.has_shaking_table())
+  if (!scene.boundary.takes_waves())
     return 0.0;
   const double angle = wave.angle_deg * std::numbers::pi / 180.0;
   const double dx = scene.mesh.box.x_min - wave.reference.x;

@@ -40,7 +40,7 @@ bool ends_above_the_base(const Case& scene, SourceModel model, double surface,
 } // namespace
 
 void models_take_the_wave(const Case& scene, Findings& findings) {
-  if (scene.boundary.has_shaking_table() || !findings.sound("motion.angle_deg") ||
+  if (!scene.boundary.takes_waves() || !findings.sound("motion.angle_deg") ||
       !findings.sound("motion.vertical") || !findings.sound("halfspace"))
     return;
   if (findings.sound("motion.kind"))

@@ -23,7 +23,7 @@ void motion_is_that_of_the_table(const MotionInput& motion, Findings& findings) 
 } // namespace
 
 void shaking_table_suits_case(const Case& scene, Findings& findings) {
-  if (!scene.boundary.has_shaking_table() || !findings.sound("boundary.base.model"))
+  if (scene.boundary.takes_waves() || !findings.sound("boundary.base.model"))
     return;
   for (const MotionInput* motion : scene.plane_waves())
     motion_is_that_of_the_table(*motion, findings);

@@ -67,7 +67,7 @@ void soil_reaches_boundaries(const Case& scene, Findings& findings) {
               "field's surface lies at y = {}; both must agree",
               side, x, top, surface));
   };
-  if (!scene.boundary.has_shaking_table()) {
+  if (scene.boundary.has_ground_below()) {
     check_side("left", box.x_min, scene.boundary.left.surface);
     check_side("right", box.x_max, scene.boundary.right.surface);
   }

@@ -21,7 +21,7 @@ void springs_suit_boundary(const Case& scene, Findings& findings) {
   centre_has_springs("right", right.springs, findings);
   centre_has_springs("base", base.springs, findings);
   const bool given = base.springs.stiffness || base.springs.centre;
-  if (scene.boundary.has_shaking_table() && given && findings.sound("boundary.base.model"))
+  if (scene.boundary.base_is_rigid() && given && findings.sound("boundary.base.model"))
     findings.add("boundary.base.spring",
                  "a shaking table moves as its motion says, so no springs stand beside it; remove spring and "
                  "spring_centre");

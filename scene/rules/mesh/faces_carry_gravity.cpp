@@ -3,7 +3,7 @@
 namespace tremolo::scene {
 
 void faces_carry_gravity(const Case& scene, Findings& findings) {
-  if (!scene.gravity || scene.mesh.particles_per_cell > 1 || scene.boundary.has_shaking_table() ||
+  if (!scene.gravity || scene.mesh.particles_per_cell > 1 || scene.boundary.base_is_rigid() ||
       !findings.sound("mesh.particles_per_cell") || !findings.sound("boundary"))
     return;
   findings.add("mesh.particles_per_cell",

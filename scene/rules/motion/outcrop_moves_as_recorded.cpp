@@ -34,8 +34,8 @@ double across(const Case& scene, const MotionInput& wave) {
 } // namespace
 
 void outcrop_moves_as_recorded(const Case& scene, Findings& findings) {
-  if (!scene.vertical || scene.motion.kind != motion::MotionKind::outcrop ||
-      scene.boundary.has_shaking_table() || !findings.sound("motion") || !findings.sound("halfspace"))
+  if (!scene.vertical || scene.motion.kind != motion::MotionKind::outcrop || !scene.boundary.takes_waves() ||
+      !findings.sound("motion") || !findings.sound("halfspace"))
     return;
   const double vertically = std::abs(across(scene, scene.motion));
   const double horizontally = std::abs(across(scene, *scene.vertical));

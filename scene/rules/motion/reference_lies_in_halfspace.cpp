@@ -38,7 +38,7 @@ void wave_begins_in_halfspace(const Case& scene, const MotionInput& wave, Findin
 } // namespace
 
 void reference_lies_in_halfspace(const Case& scene, Findings& findings) {
-  if (scene.boundary.has_shaking_table() || !findings.sound("surface.level"))
+  if (!scene.boundary.takes_waves() || !findings.sound("surface.level"))
     return;
   for (const MotionInput* wave : scene.plane_waves())
     if (findings.sound(wave->path + ".reference") && findings.sound("motion.reference"))

@@ -21,7 +21,7 @@ mpm_domain::Combination combination_of(const Case& scene) {
           .boxes = scene.mesh.particle_boxes,
           .sides = sides,
           .levels = !scene.mesh.refine.empty(),
-          .rigid_base = scene.boundary.has_shaking_table(),
+          .rigid_base = scene.boundary.base_is_rigid(),
           .matched_layer = left.absorber == layer || right.absorber == layer || base.absorber == layer,
           .water = scene.water.has_value(),
           .structures = !scene.structures.empty(),

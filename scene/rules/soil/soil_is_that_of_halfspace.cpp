@@ -6,7 +6,7 @@
 namespace tremolo::scene {
 
 void soil_is_that_of_halfspace(const Case& scene, Findings& findings) {
-  if (!scene.profile.empty() || scene.boundary.has_shaking_table())
+  if (!scene.profile.empty() || !scene.boundary.has_ground_below())
     return;
   for (const Soil& soil : domain_soils(scene)) {
     const auto& elastic = materials::elasticity(soil.law);
