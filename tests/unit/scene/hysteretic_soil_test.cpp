@@ -104,9 +104,15 @@ TEST(HystereticSoil, OfAnyBackboneKnowsTheStrengthThatItIsGiven) {
 }
 
 TEST(Rules, BackboneHasGivenStrength) {
+  const auto with_strength = [](const std::string& strength) {
+    return remarks_of(
+        with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 0.9\n" + strength));
+  };
+  EXPECT_THAT(with_strength(""), ::testing::Not(::testing::Contains(HasSubstr("times the strength given"))));
+  EXPECT_THAT(with_strength("shear_strength = 14e3\n"),
+              ::testing::Contains(::testing::EndsWith("1.02 times the strength given, 14 kPa")));
   EXPECT_THAT(
-      remarks_of(with_clay("model = \"mkz\"\nreference_strain = 5e-4\nbeta = 1.0\nexponent = 0.9\n"
-                           "shear_strength = 5e3\n")),
+      with_strength("shear_strength = 5e3\n"),
       ::testing::Contains(::testing::AllOf(HasSubstr("at 10 % shear strain its backbone has 14.32 kPa, 2.86 "
                                                      "times the strength given, 5 kPa"),
                                            HasSubstr("model = \"gqh\" keeps to the strength"))));

@@ -180,6 +180,8 @@ TEST(Sand, Pdmy03WithoutADensityNeedsEverything) {
 TEST(Rules, LawsHaveLimits) {
   EXPECT_THAT(remarks_of(with_soil("model = \"pdmy03\"\nrelative_density = 0.57\n")),
               Contains(AllOf(HasSubstr("soil 'sand': "), HasSubstr("plane strain"))));
+  EXPECT_THAT(remarks_of(with_soil("model = \"pdmy03\"\nrelative_density = 0.57\ncone = \"plane_strain\"\n")),
+              ::testing::Not(Contains(HasSubstr("fixes a circular cone in triaxial compression"))));
 }
 
 TEST(Rules, StiffnessFollowsPressure) {
@@ -191,6 +193,8 @@ TEST(Rules, StiffnessFollowsPressure) {
 
 TEST(Rules, SandHasWeight) {
   const auto text = with_soil(pm4sand);
+  EXPECT_THAT(errors_of(text), IsEmpty());
+  EXPECT_THAT(errors_of(std::string(flat_case)), IsEmpty()); // elastic soil has its stiffness without weight
   EXPECT_THAT(errors_of(with("[[stage]]\nkind = \"gravity\"\n", "", text)),
               ElementsAre(HasSubstr(
                   "case.toml:14:9: [soil.sand] model = \"pm4sand\" begins with the stress that gravity")));

@@ -177,6 +177,7 @@ TEST_F(GroundWaterCase, TableLiesInGround) {
 
 TEST_F(GroundWaterCase, WaterHasWeight) {
   auto light = ground(join(elastic, pores));
+  EXPECT_THAT(errors(light), IsEmpty());
   light = with("[[stage]]\nkind = \"gravity\"\n", "", light);
   EXPECT_THAT(errors(light), ElementsAre(HasSubstr("add a [[stage]] of kind = \"gravity\"")));
 }

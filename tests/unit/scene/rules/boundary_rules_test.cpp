@@ -155,6 +155,10 @@ TEST(Rules, IncidentBaseLiesInHalfspace) {
   const auto incident = with("reference = [0.0, -10.0]", "reference = [0.0, -12.0]",
                              with("form = \"total\"", "form = \"incident\"", with_columns())) +
                         deep;
+  EXPECT_THAT(errors_of(with("form = \"incident\"", "form = \"total\"", incident)), IsEmpty());
+  EXPECT_THAT(errors_of(with("thickness = 12.0", "thickness = 10.0", incident)), IsEmpty());
+  EXPECT_THAT(errors_of(with("[motion]\n", "[motion]\nkind = \"within\"\n", incident)),
+              Contains(HasSubstr("form = \"incident\" needs an incident or outcrop motion")));
   EXPECT_THAT(
       errors_of(incident),
       ElementsAre("case.toml:27:31: [boundary.base] form = \"incident\" needs a base in the half-space, y <= "

@@ -51,6 +51,9 @@ TEST(Rules, RegionsAreSimple) {
 }
 
 TEST(Rules, RegionsLieInMesh) {
+  // A corner on an edge of the mesh lies in it.
+  EXPECT_THAT(errors_of(with(polygon, "[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [10.0, 0.0], [0.0, 0.0]]")),
+              IsEmpty());
   EXPECT_THAT(errors_of(with(polygon, "[[0.0, -10.0], [20.0, -10.0], [20.0, 0.0], [10.0, 0.5], [0.0, 0.0]]")),
               ElementsAre("case.toml:20:11: [[region]] corner [10, 0.5] lies outside the mesh, must be in x "
                           "0 to 20 and y -10 "

@@ -53,6 +53,7 @@ TEST(Rules, AMotionWithinTheGroundIsThatOfTheTopOfTheHalfSpace) {
 
 TEST(Rules, ReferenceLiesInHalfspace) {
   const auto layered = with_columns() + std::string(layer);
+  EXPECT_THAT(errors_of(with("reference = [0.0, -10.0]", "reference = [0.0, -4.0]", layered)), IsEmpty());
   EXPECT_THAT(errors_of(with("reference = [0.0, -10.0]", "reference = [0.0, -3.0]", layered)),
               ElementsAre("case.toml:6:13: [motion] 'reference' at y = -3 lies in the layers, must be in the "
                           "half-space, y <= -4"));

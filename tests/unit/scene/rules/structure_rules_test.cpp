@@ -161,6 +161,7 @@ TEST(Rules, StructuresTouchSoil) {
 }
 
 TEST(Rules, StructuresHaveWeight) {
+  EXPECT_THAT(errors_of(heavy() + second("block", aside)), IsEmpty());
   EXPECT_THAT(
       errors_of(std::string(flat_case) + second("block", aside)),
       ElementsAre(HasSubstr("case.toml:31:1: [[structure]] without weight nothing presses a structure to "
