@@ -31,8 +31,17 @@ inline Vector operator+(const Vector& a, const Vector& b) {
 inline Vector operator-(const Vector& a, const Vector& b) {
   return {a.x - b.x, a.y - b.y};
 }
+inline Vector operator-(const Vector& a) {
+  return {-a.x, -a.y};
+}
 inline Vector operator*(double factor, const Vector& a) {
   return {factor * a.x, factor * a.y};
+}
+inline Vector operator/(const Vector& a, double divisor) {
+  return {a.x / divisor, a.y / divisor};
+}
+inline Vector& operator+=(Vector& a, const Vector& b) {
+  return a = a + b;
 }
 
 /// Dynamic stress in the plane, Pa, tension positive.

@@ -104,10 +104,8 @@ BoundaryWork Boundary::follow_update(Step& step) {
 }
 
 Vector Boundary::traction(std::size_t face) const {
-  const Vector eq6 = traction_[face].total();
   const SupportLoad support = supports_.all().empty() ? SupportLoad{} : supports_.loads()[face];
-  const Vector reaction = support.reaction();
-  return {eq6.x + support.spring.x + reaction.x, eq6.y + support.spring.y + reaction.y};
+  return traction_[face].total() + support.spring + support.reaction();
 }
 
 BaseMotion Boundary::base_motion() const {

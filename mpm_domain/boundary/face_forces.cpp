@@ -31,9 +31,9 @@ void add_work_of_face(std::size_t f, const FaceLoads& loads, const Ticks& ticks,
   Vector v_moving; // of those that the moving part acts on
   for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
     const Vector& v = v_of[static_cast<std::size_t>(clock)];
-    v_all = v_all + v;
+    v_all += v;
     if (clock >= of_face)
-      v_moving = v_moving + v;
+      v_moving += v;
     work.held += kicks[static_cast<std::size_t>(clock)] * steady * dot(held, v);
   }
   if (loads.motion.is_due(ticks, f)) {
@@ -136,13 +136,11 @@ void FaceForces::find(int clock, const Ticks& ticks, const FaceLoads& loads) {
     Vector reaction;
     if (!loads.supports.empty()) {
       const SupportLoad& support = loads.supports[f];
-      moving = moving + support.spring;
+      moving += support.spring;
       reaction = support.reaction();
     }
     loads_[f * clocks + static_cast<std::size_t>(clock)] = {
-        {l * (moves * moving.x + reacts * reaction.x + holds * held.x),
-         l * (moves * moving.y + reacts * reaction.y + holds * held.y)},
-        {l * (moves * z.x + inertia.x), l * (moves * z.y + inertia.y)}};
+        l * (moves * moving + reacts * reaction + holds * held), l * (moves * z + inertia)};
   }
 }
 

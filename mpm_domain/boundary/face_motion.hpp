@@ -28,7 +28,7 @@ namespace tremolo::mpm_domain {
 
 /// The velocity v- as dashpots use it after a step that ended with v+ (see above), m/s.
 inline Vector without_residual(Vector before, Vector last_after) {
-  return {before.x - 0.5 * (last_after.x - before.x), before.y - 0.5 * (last_after.y - before.y)};
+  return before - 0.5 * (last_after - before);
 }
 
 class FaceMotion {

@@ -188,11 +188,11 @@ void PeriodicColumn::find_velocities() {
     const Vector a = acceleration[i];
     points_[i].acceleration = a;
     if (!domain_.has_water()) {
-      points_[i].velocity = {v.x + 0.5 * dt * a.x, v.y + 0.5 * dt * a.y};
+      points_[i].velocity = v + 0.5 * dt * a;
       continue;
     }
     const Vector seen = velocity_kicked_.empty() ? v : without_residual(v, velocity_kicked_[i]);
-    points_[i].velocity = {seen.x + 0.5 * (kicked[i].x - v.x), seen.y + 0.5 * (kicked[i].y - v.y)};
+    points_[i].velocity = seen + 0.5 * (kicked[i] - v);
   }
 }
 

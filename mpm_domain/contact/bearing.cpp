@@ -24,7 +24,7 @@ void ContactNodes::bear_on(const BodySurface& surface, const Vector& centre, dou
       continue;
     }
     const double along = dot(c.normal, foot->place - c.place);
-    c.arm = c.arm + along * c.normal;
+    c.arm += along * c.normal;
   }
   for (const BodySurface::Toe& toe : surface.toes()) {
     const Vector end = arm(toe.place);

@@ -96,7 +96,7 @@ BodySurface::Nearest BodySurface::nearest(const Vector& place) const {
   if (distance == 0.0)
     return {0.0, normals_[k], corner};
   const double sense = contains(place) ? -1.0 : 1.0;
-  return {sense * distance, {sense * away.x / distance, sense * away.y / distance}, corner};
+  return {sense * distance, sense * away / distance, corner};
 }
 
 bool BodySurface::faces(const Vector& normal, const Vector& direction) {

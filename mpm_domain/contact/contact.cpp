@@ -15,12 +15,12 @@ namespace tremolo::mpm_domain {
 namespace {
 
 void add(RigidLoad& to, const Vector& force, const Vector& arm) {
-  to.force = to.force + force;
+  to.force += force;
   to.moment += cross(arm, force);
 }
 
 Vector mean(const Vector& a, const Vector& b) {
-  return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+  return 0.5 * (a + b);
 }
 
 RigidMotion mean(const RigidMotion& a, const RigidMotion& b) {
@@ -147,9 +147,8 @@ RigidLoad Contact::load(std::size_t body) const {
 }
 
 Vector Contact::pull(std::size_t body) const {
-  const Vector& load = structure_loads_.on(body);
   const double mass = elastic_[body] ? elastic_[body]->mass() : bodies_[body].mass();
-  return {load.x / mass, load.y / mass};
+  return structure_loads_.on(body) / mass;
 }
 
 void Contact::take_bodies(const Ground& ground) {
@@ -224,7 +223,7 @@ void Contact::refuse_coarse_cells(const Ground& ground, std::size_t body) const 
 
 void Contact::weigh(const Ground& ground, std::size_t body, double share, const RigidLoad& before) {
   RigidLoad whole = bodies_[body].load(ground.spec.gravity, water_around(ground));
-  whole.force = whole.force + structure_loads_.on(body);
+  whole.force += structure_loads_.on(body);
   const auto blend = [share](double from, double to) { return from + share * (to - from); };
   loads_[body] = {{blend(before.force.x, whole.force.x), blend(before.force.y, whole.force.y)},
                   blend(before.moment, whole.moment)};
@@ -355,7 +354,7 @@ double Contact::meet_remapped(Ground& ground) {
       const double tangential = std::clamp(stick, -limit, limit);
       const double un = normal / c.mass;
       const double ut = tangential / c.tangential;
-      const Vector taken{un * c.normal.x + ut * t.x, un * c.normal.y + ut * t.y};
+      const Vector taken = un * c.normal + ut * t;
       grid.vx_strain[n] -= taken.x;
       grid.vy_strain[n] -= taken.y;
       power += power_on(n, taken, c.key.against ? pull(*c.key.against) : Vector{});

@@ -189,7 +189,7 @@ void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
     const Particles& p = ground.sets[meeting.near[n].set];
     const std::size_t k = meeting.near[n].index;
     Sums& sums = sums_[place];
-    sums.gradient = sums.gradient + gradient;
+    sums.gradient += gradient;
     sums.volume += vs;
     sums.friction += vs * (meeting.other ? meeting.other->friction : structure.friction[p.soil_index]);
     sums.adhesion += meeting.other ? 0.0 : vs * structure.adhesion[p.soil_index];
@@ -197,7 +197,7 @@ void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
                                           touch.gap <= sums.least_gap + surface_layer * 2.0 * p.half_size) {
       sums.surface += vs;
       sums.gap += vs * touch.gap;
-      sums.facing = sums.facing + vs * touch.normal;
+      sums.facing += vs * touch.normal;
     }
     if (!p.traits.wet)
       continue;
@@ -207,7 +207,7 @@ void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
       continue;
     const double excess = excess_pressure(p, k);
     sums.sealed += vs;
-    sums.sealed_force = sums.sealed_force + excess * gradient;
+    sums.sealed_force += excess * gradient;
   }
 }
 
@@ -340,11 +340,10 @@ void ContactNode::find_changes() {
   const double drift = tangential_impulse / solid_mass / drag;
   const double solid_n = common - solid_normal;
   const double water_n = common - water_normal;
-  solid_change = {solid_n * normal.x + along * t.x, solid_n * normal.y + along * t.y};
-  water_change = {water_n * normal.x + (along + drift) * t.x, water_n * normal.y + (along + drift) * t.y};
+  solid_change = solid_n * normal + along * t;
+  water_change = water_n * normal + (along + drift) * t;
   if (body_mass > 0.0)
-    body_change = {(normal_impulse * normal.x + tangential_impulse * t.x) / body_mass,
-                   (normal_impulse * normal.y + tangential_impulse * t.y) / body_mass};
+    body_change = (normal_impulse * normal + tangential_impulse * t) / body_mass;
 }
 
 void ContactNodes::end_bonds(const ContactGaps& gaps, double h) {

@@ -27,7 +27,7 @@ std::vector<Vector> points_along(const std::vector<Vector>& corners, double spac
     const int pieces = static_cast<int>(std::ceil(std::hypot(to.x - from.x, to.y - from.y) / spacing));
     for (int piece = 0; piece < pieces; ++piece) {
       const double t = static_cast<double>(piece) / pieces;
-      points.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+      points.push_back(from + t * (to - from));
     }
   }
   return points;
@@ -43,7 +43,7 @@ std::vector<ElasticBody::Follower> ElasticBody::followers(std::span<const Vector
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < sets.size(); ++s)
       for (std::size_t k = 0; k < sets[s].size(); ++k) {
-        const Vector offset{point.x - sets[s].x[k], point.y - sets[s].y[k]};
+        const Vector offset = point - Vector{sets[s].x[k], sets[s].y[k]};
         if (dot(offset, offset) < nearest) {
           nearest = dot(offset, offset);
           follower = {s, sets[s].id[k], offset};
@@ -78,9 +78,9 @@ ElasticBody::ElasticBody(const Structure& structure, std::size_t number, std::sp
   surface_ = BodySurface(std::move(points));
   over_particles(sets, [&](const Particles& set, std::size_t k) {
     mass_ += set.mass[k];
-    start_ = {start_.x + set.mass[k] * set.x[k], start_.y + set.mass[k] * set.y[k]};
+    start_ += set.mass[k] * Vector{set.x[k], set.y[k]};
   });
-  start_ = {start_.x / mass_, start_.y / mass_};
+  start_ = start_ / mass_;
 }
 
 void ElasticBody::follow(std::span<const Particles> sets, RigidBody& whole) {
@@ -90,11 +90,11 @@ void ElasticBody::follow(std::span<const Particles> sets, RigidBody& whole) {
   over_particles(sets, [&](const Particles& set, std::size_t k) {
     const double m = set.mass[k];
     mass += m;
-    moved = {moved.x + m * (set.x[k] - set.x_initial[k]), moved.y + m * (set.y[k] - set.y_initial[k])};
-    momentum = {momentum.x + m * set.vx[k], momentum.y + m * set.vy[k]};
+    moved += m * Vector{set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
+    momentum += m * Vector{set.vx[k], set.vy[k]};
   });
-  moved = {moved.x / mass, moved.y / mass};
-  const Vector velocity{momentum.x / mass, momentum.y / mass};
+  moved = moved / mass;
+  const Vector velocity = momentum / mass;
   double sine = 0.0;
   double cosine = 0.0;
   double angular_momentum = 0.0;

@@ -41,7 +41,7 @@ RigidBody::RigidBody(const Structure& structure) : name_(structure.name) {
   start_ = centre_ = {(whole.area * whole.x - empty.area * empty.x) / area,
                       (whole.area * whole.y - empty.area * empty.y) / area};
   const auto about_centre = [&](const mesh::PolygonMeasures& m) {
-    const Vector to{m.x - centre_.x, m.y - centre_.y};
+    const Vector to = Vector{m.x, m.y} - centre_;
     return m.polar + m.area * dot(to, to);
   };
   mass_ = structure.density * area;
@@ -73,12 +73,12 @@ void RigidBody::add_pressure(RigidLoad& load, const WaterAround& water) const {
   constexpr int parts = 32; // of an edge: the pressure bends where the phreatic surface meets it
   for (std::size_t i = 0, j = outline().size() - 1; i < outline().size(); j = i++) {
     const Vector& a = outline()[j];
-    const Vector along{(outline()[i].x - a.x) / parts, (outline()[i].y - a.y) / parts};
+    const Vector along = (outline()[i] - a) / parts;
     for (int part = 0; part < parts; ++part) {
-      const Vector at{a.x + (part + 0.5) * along.x, a.y + (part + 0.5) * along.y};
+      const Vector at = a + (part + 0.5) * along;
       const double p = std::max(water.unit_weight * (water.head.at(at.x, at.y).head - at.y), 0.0);
       const Vector push{-p * along.y, p * along.x}; // the outline runs counter-clockwise
-      load.force = load.force + push;
+      load.force += push;
       load.moment += cross(arm(at), push);
     }
   }
@@ -101,7 +101,7 @@ RigidLoad RigidBody::load(double gravity, const std::optional<WaterAround>& wate
 }
 
 void RigidBody::move(double dt) {
-  centre_ = centre_ + dt * motion_.velocity;
+  centre_ += dt * motion_.velocity;
   tilt_ += dt * motion_.spin;
   surface_.place(turned(corners_));
 }

@@ -81,7 +81,7 @@ void StructureLoads::add_up() {
   std::ranges::fill(on_, Vector{});
   for (const Load& load : loads_) {
     Vector& sum = on_[load.structure];
-    sum = sum + load.share * load.force;
+    sum += load.share * load.force;
   }
 }
 

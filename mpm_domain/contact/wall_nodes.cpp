@@ -38,9 +38,8 @@ void find_wall(const BodySurface& surface, const Lattice& lattice, const NodeWin
   std::vector<double> cuts;
   for (std::size_t k = 0, before = outline.size() - 1; k < outline.size(); before = k++) {
     // Positions are in cells from node (0, 0).
-    const Vector a{(outline[before].x - lattice.x0) / lattice.h,
-                   (outline[before].y - lattice.y0) / lattice.h};
-    const Vector b{(outline[k].x - lattice.x0) / lattice.h, (outline[k].y - lattice.y0) / lattice.h};
+    const Vector a = (outline[before] - Vector{lattice.x0, lattice.y0}) / lattice.h;
+    const Vector b = (outline[k] - Vector{lattice.x0, lattice.y0}) / lattice.h;
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (length == 0.0)
       continue;
@@ -49,7 +48,7 @@ void find_wall(const BodySurface& surface, const Lattice& lattice, const NodeWin
     add_crossings(a.y, b.y, cuts);
     std::ranges::sort(cuts);
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
-      const auto on_edge = [&](double t) { return Vector{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; };
+      const auto on_edge = [&](double t) { return a + t * (b - a); };
       const Vector from = on_edge(cuts[c]);
       const Vector middle = on_edge(0.5 * (cuts[c] + cuts[c + 1]));
       const Vector to = on_edge(cuts[c + 1]);

@@ -39,7 +39,7 @@ HeldForces::HeldForces(const std::map<PlaceInModel, NodeLoad>& before,
     const auto found = before.find(place);
     const NodeLoad had = found == before.end() ? NodeLoad{now.mass, {}} : found->second;
     const double share = std::min(1.0, now.mass / had.mass);
-    const Vector lacking{share * had.force.x - now.force.x, share * had.force.y - now.force.y};
+    const Vector lacking = share * had.force - now.force;
     if (lacking.x != 0.0 || lacking.y != 0.0)
       forces_[place] = lacking;
   }

@@ -42,7 +42,7 @@ std::vector<MovingPoint> mechanism_of(Domain& domain) {
   }
   if (fastest > 0.0)
     for (MovingPoint& point : points)
-      point.velocity = {point.velocity.x / fastest, point.velocity.y / fastest};
+      point.velocity = point.velocity / fastest;
   return points;
 }
 

@@ -315,7 +315,7 @@ std::vector<StructureWay> StaticStages::ways() const {
   for (StructureWay& structure : ways)
     if (const auto found = std::ranges::find(ways_, structure.name, &StructureWay::name);
         found != ways_.end()) {
-      structure.way = structure.way + found->way;
+      structure.way += found->way;
       structure.turn += found->turn;
     }
   return ways;

@@ -38,7 +38,7 @@ private:
     if (!(water_mass[n] > 0.0))
       return grains;
     const double share = water_mass[n] / (mass[n] + water_mass[n]);
-    return {grains.x + share * (water.x - grains.x), grains.y + share * (water.y - grains.y)};
+    return grains + share * (water - grains);
   }
 };
 

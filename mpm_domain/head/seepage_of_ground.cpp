@@ -80,14 +80,13 @@ NodeSlopes slopes_of(const seepage::FlowProblem& problem, const std::vector<doub
     const auto [dx, dy] = seepage::gradient(problem, element, heads);
     const double area = seepage::area(problem, element);
     for (std::size_t c = 0; c < element.corners; ++c) {
-      Vector& slope = slopes.slope[element.nodes[c]];
-      slope = {slope.x + area * dx, slope.y + area * dy};
+      slopes.slope[element.nodes[c]] += area * Vector{dx, dy};
       slopes.area[element.nodes[c]] += area;
     }
   }
   for (std::size_t n = 0; n < heads.size(); ++n)
     if (slopes.area[n] > 0.0)
-      slopes.slope[n] = {slopes.slope[n].x / slopes.area[n], slopes.slope[n].y / slopes.area[n]};
+      slopes.slope[n] = slopes.slope[n] / slopes.area[n];
   return slopes;
 }
 

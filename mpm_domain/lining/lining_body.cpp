@@ -18,10 +18,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-Vector difference(const Vector& a, const Vector& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-
 /// Mass of a node on the finest cells that the densest soil fills, kg/m.
 double full_mass(const Ground& ground) {
   double density = 0.0;
@@ -62,12 +58,10 @@ LiningWork soil_work(Ground& ground, std::span<const MetNode> nodes, std::span<c
                      double kick) {
   Grid& grid = ground.grid;
   LiningWork work;
-  const auto mean = [](const Vector& a, const Vector& b) {
-    return Vector{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
-  };
+  const auto mean = [](const Vector& a, const Vector& b) { return 0.5 * (a + b); };
   for (const auto& [n, grains, water] : nodes) {
     const Vector after = grid.velocity_after(n);
-    const Vector change = difference(after, grains);
+    const Vector change = after - grains;
     grid.ax[n] += change.x / kick;
     grid.ay[n] += change.y / kick;
     work.kinetic += 0.5 * grid.mass[n] * (square(after) - square(grains));
@@ -78,14 +72,14 @@ LiningWork soil_work(Ground& ground, std::span<const MetNode> nodes, std::span<c
       continue;
     const Vector water_before{grid.wx_before[n], grid.wy_before[n]};
     const Vector water_after{grid.wx_after[n], grid.wy_after[n]};
-    const Vector water_change = difference(water_after, water);
+    const Vector water_change = water_after - water;
     const double full = ground.spec.water->fluid.density * grid.wet_volume[n];
     const double push = kick * flow->water_mass / full;
-    const Vector gained = difference(water, water_before);
+    const Vector gained = water - water_before;
     const Vector drag{push * grid.water_force_x[n] - flow->water_mass * gained.x,
                       push * grid.water_force_y[n] - flow->water_mass * gained.y};
     work.kinetic += 0.5 * flow->water_mass * (square(water_after) - square(water));
-    work.drag += 0.5 * dot(drag, difference(water_change, change));
+    work.drag += 0.5 * dot(drag, water_change - change);
     work.impact -= flow->water_mass * dot(water_change, mean(water_before, water_after));
   }
   return work;
@@ -134,7 +128,7 @@ void LiningBody::take_soils(const Ground& ground) {
     for (std::size_t n = 0; !alike && n < near_.size(); ++n) {
       const Particles& p = ground.sets[near_[n].set];
       const std::size_t k = near_[n].index;
-      if (const double d2 = square(difference({p.x[k], p.y[k]}, of.place)); d2 < least) {
+      if (const double d2 = square(Vector{p.x[k], p.y[k]} - of.place); d2 < least) {
         least = d2;
         soil = p.soil_index;
       }
@@ -186,7 +180,7 @@ void LiningBody::book_beam(const Grid& grid, std::span<const double> weight, std
       continue;
     const Vector before = soil_velocity(of, grid.vx_before, grid.vy_before);
     const Vector after = soil_velocity(of, grid.vx_after, grid.vy_after);
-    const Vector slip{0.5 * (before.x + after.x) - of_beam.x, 0.5 * (before.y + after.y) - of_beam.y};
+    const Vector slip = 0.5 * (before + after) - of_beam;
     work.friction += segment.tangential_impulse * dot(of.tangent(), slip);
   }
 }
@@ -230,7 +224,7 @@ double LiningBody::meet_remapped(Ground& ground) const {
     const Vector w{grid.flux_x[n] - grid.vx_strain[n], grid.flux_y[n] - grid.vy_strain[n]};
     const double through = dot(of.normal, w);
     power += through * dot(of.normal, {grid.water_force_x[n], grid.water_force_y[n]});
-    flow.push_back({w.x - through * of.normal.x, w.y - through * of.normal.y});
+    flow.push_back(w - through * of.normal);
   }
   for (const auto& [n, change, water] : contact_.stopped(rows_, remapped, beam_.velocities())) {
     grid.vx_strain[n] += change.x;

@@ -14,10 +14,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-Vector difference(const Vector& a, const Vector& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-
 /// n of the even rows of a system, t of the odd ones.
 Vector direction(std::span<const SegmentRows> rows, std::size_t row) {
   return row % 2 == 0 ? rows[row / 2].normal : rows[row / 2].tangent();
@@ -76,7 +72,7 @@ std::vector<double> closing_speeds(std::span<const SegmentRows> rows, const Soil
                                    std::span<const double> v) {
   std::vector<double> closing;
   for (const SegmentRows& of : rows) {
-    const Vector speed = difference(soil_velocity(of, soil.vx, soil.vy), beam_velocity(of, v));
+    const Vector speed = soil_velocity(of, soil.vx, soil.vy) - beam_velocity(of, v);
     closing.push_back(dot(of.normal, speed));
     closing.push_back(dot(of.tangent(), speed));
   }
@@ -171,12 +167,8 @@ std::vector<NodeChange> LiningContact::stopped(std::span<const SegmentRows> rows
   }
   const std::vector<double> along = soil_.stop(closing, stopped);
   std::vector<Vector> impulses;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Vector n = rows[k].normal;
-    const Vector t = rows[k].tangent();
-    impulses.push_back(
-        {along[2 * k] * n.x + along[2 * k + 1] * t.x, along[2 * k] * n.y + along[2 * k + 1] * t.y});
-  }
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    impulses.push_back(along[2 * k] * rows[k].normal + along[2 * k + 1] * rows[k].tangent());
   return soil_.changes(impulses, soil);
 }
 

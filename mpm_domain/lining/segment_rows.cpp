@@ -40,10 +40,9 @@ PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const 
         continue;
       shares.nodes[shares.count++] = {node, hat};
       shares.sum += hat;
-      shares.place = {shares.place.x + hat * (lattice.x0 + i * lattice.h),
-                      shares.place.y + hat * (lattice.y0 + j * lattice.h)};
+      shares.place += hat * Vector{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
     }
-  shares.place = {shares.place.x / shares.sum, shares.place.y / shares.sum};
+  shares.place = shares.place / shares.sum;
   return shares;
 }
 
@@ -72,15 +71,15 @@ std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& bea
         found->share += of_node.share / shares.sum;
       }
       add_velocity(point, shares.place, 1.0, beam, rows.beam);
-      rows.place = {rows.place.x + shares.place.x, rows.place.y + shares.place.y};
+      rows.place += shares.place;
     }
     if (counted == 0.0)
       continue;
     for (NodeShare& of_node : rows.soil)
       of_node.share /= counted;
     for (BeamShare& of_beam : rows.beam)
-      of_beam.velocity = {of_beam.velocity.x / counted, of_beam.velocity.y / counted};
-    rows.place = {rows.place.x / counted, rows.place.y / counted};
+      of_beam.velocity = of_beam.velocity / counted;
+    rows.place = rows.place / counted;
     rows.normal = normal(segment, beam);
     all.push_back(std::move(rows));
   }
@@ -90,14 +89,14 @@ std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& bea
 Vector soil_velocity(const SegmentRows& rows, std::span<const double> wx, std::span<const double> wy) {
   Vector velocity{};
   for (const auto& [node, share] : rows.soil)
-    velocity = {velocity.x + share * wx[node], velocity.y + share * wy[node]};
+    velocity += share * Vector{wx[node], wy[node]};
   return velocity;
 }
 
 Vector beam_velocity(const SegmentRows& rows, std::span<const double> v) {
   Vector velocity{};
   for (const auto& [dof, of_one] : rows.beam)
-    velocity = {velocity.x + v[dof] * of_one.x, velocity.y + v[dof] * of_one.y};
+    velocity += v[dof] * of_one;
   return velocity;
 }
 

@@ -104,7 +104,7 @@ std::vector<NodeChange> SegmentSoil::changes(std::span<const Vector> impulses, c
     const auto end = end_of_node(first, members_.cend());
     Vector impulse{};
     for (auto of = first; of != end; ++of)
-      impulse = {impulse.x - of->share * impulses[of->row].x, impulse.y - of->share * impulses[of->row].y};
+      impulse = impulse - of->share * impulses[of->row];
     const NodeFlow* flow = soil.flow(first->node);
     const Vector change = soil.of_grains(first->node, impulse);
     changes.push_back({first->node, change, flow != nullptr ? flow->of_water(impulse) : change});

@@ -33,14 +33,12 @@ struct NodeFlow {
     const Vector t = tangent();
     const double across = dot(normal, impulse) / mass();
     const double along = dot(t, impulse) / mass() * (1.0 + water_mass / solid_mass / drag);
-    return {across * normal.x + along * t.x, across * normal.y + along * t.y};
+    return across * normal + along * t;
   }
   /// dv_f, m/s.
   Vector of_water(const Vector& impulse) const {
     const Vector t = tangent();
-    const Vector grains = of_grains(impulse);
-    const double behind = dot(t, impulse) / (solid_mass * drag);
-    return {grains.x - behind * t.x, grains.y - behind * t.y};
+    return of_grains(impulse) - dot(t, impulse) / (solid_mass * drag) * t;
   }
 };
 
@@ -57,7 +55,7 @@ struct SoilMotion {
   Vector of_grains(std::size_t node, const Vector& impulse) const {
     if (const NodeFlow* at = flow(node))
       return at->of_grains(impulse);
-    return {impulse.x / mass[node], impulse.y / mass[node]};
+    return impulse / mass[node];
   }
 };
 

@@ -17,21 +17,16 @@ namespace {
 const double least_turn = std::sin(20.0 * std::numbers::pi / 180.0);
 
 Vector between(const Vector& a, const Vector& b, double share) {
-  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-}
-
-Vector away(const Vector& from, const Vector& to) {
-  return {to.x - from.x, to.y - from.y};
+  return a + share * (b - a);
 }
 
 Vector unit(const Vector& v) {
-  const double length = std::sqrt(square(v));
-  return {v.x / length, v.y / length};
+  return v / std::sqrt(square(v));
 }
 
 /// Into the body, for an edge of an outline that runs counter-clockwise.
 Vector inward(const Vector& a, const Vector& b) {
-  const Vector along = unit(away(a, b));
+  const Vector along = unit(b - a);
   return {-along.y, along.x};
 }
 
@@ -58,10 +53,9 @@ struct Ends {
 
 SurfacePoint carried(const Vector& at, std::size_t element, const Beam& beam) {
   const Ends ends(beam, element);
-  const Vector chord = away(ends.a, ends.b);
-  const double xi = std::clamp(dot(away(ends.a, at), chord) / square(chord), 0.0, 1.0);
-  return {element, xi,
-          turned_back(beam.place_of_element(element).axis, away(between(ends.a, ends.b, xi), at))};
+  const Vector chord = ends.b - ends.a;
+  const double xi = std::clamp(dot(at - ends.a, chord) / square(chord), 0.0, 1.0);
+  return {element, xi, turned_back(beam.place_of_element(element).axis, at - between(ends.a, ends.b, xi))};
 }
 
 /// A place on the outline, the normal there, into the body, and the number of its edge.
@@ -96,8 +90,8 @@ struct Run {
 std::vector<Run> runs_of(const std::vector<Vector>& outline) {
   const std::size_t n = outline.size();
   const auto is_corner = [&](std::size_t k) {
-    const Vector in = unit(away(outline[(k + n - 1) % n], outline[k]));
-    const Vector out = unit(away(outline[k], outline[(k + 1) % n]));
+    const Vector in = unit(outline[k] - outline[(k + n - 1) % n]);
+    const Vector out = unit(outline[(k + 1) % n] - outline[k]);
     return std::abs(cross(in, out)) > least_turn || dot(in, out) < 0.0;
   };
   std::size_t start = 0;
@@ -131,7 +125,7 @@ LiningSurface::LiningSurface(const Lining& lining, const Beam& beam, double cell
         const double share = (static_cast<double>(q) + 0.5) / static_cast<double>(segment.points.size());
         const RunPlace on = run.at((static_cast<double>(s) + share) * length);
         segment.points[q] = carried(on.place, on.edge % beam.elements().size(), beam);
-        facing = {facing.x + on.normal.x, facing.y + on.normal.y};
+        facing += on.normal;
       }
       segment.carrier = run.at((static_cast<double>(s) + 0.5) * length).edge % beam.elements().size();
       segment.normal = turned_back(beam.place_of_element(segment.carrier).axis, unit(facing));
@@ -162,10 +156,10 @@ BeamShape shape_of(const Lining& lining) {
     const Vector in = inward(outline[(k + n - 1) % n], outline[k]);
     const Vector out = inward(outline[k], outline[(k + 1) % n]);
     const double scale = 0.5 * lining.thickness / (1.0 + dot(in, out));
-    shape.nodes.push_back({outline[k].x + scale * (in.x + out.x), outline[k].y + scale * (in.y + out.y)});
+    shape.nodes.push_back(outline[k] + scale * (in + out));
   }
   for (std::size_t k = 0; k < n; ++k)
-    if (dot(away(outline[k], outline[(k + 1) % n]), away(shape.nodes[k], shape.nodes[(k + 1) % n])) <= 0.0)
+    if (dot(outline[(k + 1) % n] - outline[k], shape.nodes[(k + 1) % n] - shape.nodes[k]) <= 0.0)
       throw std::invalid_argument(
           fmt::format("lining '{}' is {:.6g} m thick, too much for its outline beside "
                       "x = {:.6g} m, y = {:.6g} m",
@@ -179,9 +173,7 @@ Vector foot(const SurfacePoint& point, const Beam& beam) {
 }
 
 Vector place(const SurfacePoint& point, const Beam& beam) {
-  const Vector c = foot(point, beam);
-  const Vector arm = turned(beam.place_of_element(point.element).axis, point.arm);
-  return {c.x + arm.x, c.y + arm.y};
+  return foot(point, beam) + turned(beam.place_of_element(point.element).axis, point.arm);
 }
 
 Vector normal(const SurfaceSegment& segment, const Beam& beam) {
@@ -190,7 +182,7 @@ Vector normal(const SurfaceSegment& segment, const Beam& beam) {
 
 void add_velocity(const SurfacePoint& point, const Vector& at, double share, const Beam& beam,
                   std::vector<BeamShare>& to) {
-  const Vector arm = away(foot(point, beam), at);
+  const Vector arm = at - foot(point, beam);
   const auto& dofs = beam.elements()[point.element].dofs;
   for (const std::size_t end : {0U, 3U}) {
     const double w = share * (end == 0 ? 1.0 - point.along : point.along);
@@ -206,7 +198,7 @@ void add_velocity(const SurfacePoint& point, const Vector& at, double share, con
     if (found == to.end())
       to.push_back(turn);
     else
-      found->velocity = {found->velocity.x + turn.velocity.x, found->velocity.y + turn.velocity.y};
+      found->velocity += turn.velocity;
   }
 }
 

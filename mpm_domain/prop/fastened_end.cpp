@@ -121,7 +121,7 @@ Vector FastenedEnd::place(const Ground& ground, const Contact& contact) const {
     double x = set.x[k];
     if (ground.spec.periodic()) // where it would be had it not come in again on the other side
       x -= period * std::round((x - one.start_x) / period);
-    place = place + one.share * Vector{x, set.y[k]};
+    place += one.share * Vector{x, set.y[k]};
   }
   return place;
 }
@@ -149,7 +149,7 @@ Vector FastenedEnd::velocity(const Ground& ground, const Contact& contact) const
     return contact.bodies()[*body_].motion().at(arm(contact.bodies()[*body_]));
   Vector velocity;
   for (const auto& [node, share] : nodes_)
-    velocity = velocity + share * ground.grid.velocity_after(node);
+    velocity += share * ground.grid.velocity_after(node);
   return velocity;
 }
 

@@ -31,7 +31,7 @@ void add_load(const FastenedEnd& end, const Vector& force, const Ground& ground,
   if (!end.body())
     return;
   RigidLoad& load = loads[*end.body()];
-  load.force = load.force + force;
+  load.force += force;
   load.moment += cross(contact.bodies()[*end.body()].arm(end.place(ground, contact)), force);
 }
 
@@ -39,7 +39,7 @@ void add_loads(const Placed& prop, const Ground& ground, const Contact& contact,
                std::vector<RigidLoad>& loads) {
   const Vector force = prop.spring.force() * direction(prop, ground, contact);
   add_load(prop.from, force, ground, contact, loads);
-  add_load(prop.to, -1.0 * force, ground, contact, loads);
+  add_load(prop.to, -force, ground, contact, loads);
 }
 
 const Placed* find(const Props& props, const std::string& name) {
@@ -78,7 +78,7 @@ void Props::act(Ground& ground, Contact& contact) {
     prop.to.follow(ground);
     const Vector force = prop.spring.force() * direction(prop, ground, contact);
     prop.from.pull_nodes(ground, force);
-    prop.to.pull_nodes(ground, -1.0 * force);
+    prop.to.pull_nodes(ground, -force);
     add_loads(prop, ground, contact, loads);
   }
   contact.take_props(std::move(loads));
@@ -87,7 +87,7 @@ void Props::act(Ground& ground, Contact& contact) {
 void Props::take_off(Ground& ground, const Contact& contact) const {
   for (const Placed& prop : all_) {
     const Vector force = prop.spring.force() * direction(prop, ground, contact);
-    prop.from.pull_nodes(ground, -1.0 * force);
+    prop.from.pull_nodes(ground, -force);
     prop.to.pull_nodes(ground, force);
   }
 }

@@ -23,12 +23,11 @@ constexpr double beyond_ends = 1.0;
 
 Vector unit(const CutLine& line) {
   const Vector way = line.to - line.from;
-  const double length = std::hypot(way.x, way.y);
-  return {way.x / length, way.y / length};
+  return way / std::hypot(way.x, way.y);
 }
 
 Vector middle(const CutLine& line) {
-  return {0.5 * (line.from.x + line.to.x), 0.5 * (line.from.y + line.to.y)};
+  return 0.5 * (line.from + line.to);
 }
 
 /// Weights of a particle's box on its lattice in one direction (kernel.hpp), no wider than two cells.
@@ -55,7 +54,7 @@ void add(Passing& to, const Particles& p, std::size_t k, const Lattice& lattice,
       const double weight = p.volume[k] * share_ahead(dot(arm, axis), axis, lattice.h);
       const Vector slope{weight * wx.g[i] * wy.s[j], weight * wx.s[i] * wy.g[j]};
       const Vector force{p.sxx[k] * slope.x + p.sxy[k] * slope.y, p.sxy[k] * slope.x + p.syy[k] * slope.y};
-      to.force = to.force + force;
+      to.force += force;
       to.moment += cross(arm, force);
     }
 }
@@ -110,8 +109,8 @@ CutPlace Cut::place(std::span<const Particles> sets, double back) const {
   Vector now;
   for (const Neighbour& guide : guides_) {
     const Vector x = at(guide);
-    before = before + share * guide.offset;
-    now = now + share * x;
+    before += share * guide.offset;
+    now += share * x;
   }
   double sine = 0.0;
   double cosine = 0.0;

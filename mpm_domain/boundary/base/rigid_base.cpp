@@ -105,7 +105,7 @@ void RigidBase::exchange(const Exchange& at, std::span<SupportLoad>) {
   const Vector velocity = at.field.front().velocity;
   if (dt_ > 0.0) {
     displacement_ = after(displacement_, dt_, seen_.front().velocity);
-    rate_ = {(velocity.x - velocity_.x) / dt_, (velocity.y - velocity_.y) / dt_};
+    rate_ = (velocity - velocity_) / dt_;
   }
   velocity_ = velocity;
   dt_ = at.dt;
@@ -116,7 +116,7 @@ void RigidBase::push(Ground& ground, const Ticks& ticks, int clock, std::span<co
   const double kick = ticks.kick_of(clock);
   Seen& seen = seen_[static_cast<std::size_t>(clock)];
   const Vector next = after(velocity_, time, rate_);
-  const Vector a{(next.x - seen.velocity.x) / kick, (next.y - seen.velocity.y) / kick};
+  const Vector a = (next - seen.velocity) / kick;
   seen = {next, a};
   NodeFields& nodes = ground.grid;
   const MassOfAll mass(ground);

@@ -30,7 +30,7 @@ void LayerCorner::advance(double dt, const Vector& corner_velocity, const LayerE
       if (j == 0 || i == 0) {
         const LayerEndNodes& layer = j == 0 ? side : base;
         mass += layer.mass[i + j];
-        force = force + layer.force[i + j];
+        force += layer.force[i + j];
       }
       move_node(i, j, dt, mass, force);
     }
@@ -90,8 +90,8 @@ void LayerCorner::strain_element(std::size_t column, std::size_t row, std::span<
       const Vector ex = ux - across[h].rate * remember(qx, across[h].decay, ux);
       const Vector ez = uz - down[g].rate * remember(qz, down[g].decay, uz);
       const double sxz = shear * (ez.x + ex.y);
-      on_x[g] = on_x[g] + Vector{p_modulus * ex.x + lame * ez.y, sxz};
-      on_z[h] = on_z[h] + Vector{sxz, p_modulus * ez.y + lame * ex.x};
+      on_x[g] += Vector{p_modulus * ex.x + lame * ez.y, sxz};
+      on_z[h] += Vector{sxz, p_modulus * ez.y + lame * ex.x};
     }
   }
   std::array<Vector, 4> force{};

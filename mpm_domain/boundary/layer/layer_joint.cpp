@@ -35,7 +35,7 @@ LayerJoint::LayerJoint(Side side, LayerLattice& side_layer, LayerLattice& base_l
 void LayerJoint::advance(double dt, Vector side_velocity, Vector base_velocity, LayerLattice& side_layer,
                          LayerLattice& base_layer) {
   const Vector a = of_side(side_velocity), b = of_base(base_velocity);
-  corner_.advance(dt, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, turned(side_layer.end_nodes(side_end), of_side),
+  corner_.advance(dt, 0.5 * (a + b), turned(side_layer.end_nodes(side_end), of_side),
                   turned(base_layer.end_nodes(base_end()), [this](Vector v) { return of_base(v); }));
   for (std::size_t j = 1; j < cells_; ++j) {
     side_layer.lead(side_end, j, to_side(corner_.side_velocity(j)));

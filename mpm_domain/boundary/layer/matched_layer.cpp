@@ -159,10 +159,9 @@ void MatchedLayer::follow(std::span<const Vector> v_domain, std::span<const eq6:
   for (std::size_t f = 0; started_ && f < ties_.size(); ++f) {
     const Vector now = free_field[first_ + f].velocity;
     const Vector v = v_domain[first_ + f];
-    const Vector w = local({v.x - 0.5 * (v_free_[f].x + now.x), v.y - 0.5 * (v_free_[f].y + now.y)});
+    const Vector w = local(v - 0.5 * (v_free_[f] + now));
     for (const auto& [j, weight] : ties_[f].weights) {
-      velocity_[j].x += weight * w.x;
-      velocity_[j].y += weight * w.y;
+      velocity_[j] += weight * w;
     }
   }
 }
@@ -179,11 +178,10 @@ void MatchedLayer::react(double time, std::span<const eq6::FreeField> free_field
     const Vector now = free_field[first_ + f].velocity;
     Vector force;
     for (const auto& [j, weight] : ties_[f].weights) {
-      force.x += weight * lattice_.boundary_force(j).x;
-      force.y += weight * lattice_.boundary_force(j).y;
+      force += weight * lattice_.boundary_force(j);
     }
     // The free field's acceleration, carried on by half a step.
-    const Vector a = started_ ? Vector{(now.x - v_free_[f].x) / dt, (now.y - v_free_[f].y) / dt} : Vector{};
+    const Vector a = started_ ? (now - v_free_[f]) / dt : Vector{};
     const double mass = ties_[f].mass;
     Vector& traction = loads[first_ + f].own = {};
     traction.x += (force.x * along_.x + force.y * normal_.x) / ties_[f].length +

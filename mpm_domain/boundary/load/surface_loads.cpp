@@ -153,12 +153,12 @@ void SurfaceLoads::follow(const Ground& ground) {
         if (!is_first)
           behind = to_cut(f, (f + count - 1) % count);
         if (is_last)
-          ahead = {-behind.x, -behind.y};
+          ahead = -behind;
         if (is_first)
-          behind = {-ahead.x, -ahead.y};
+          behind = -ahead;
       }
       const auto& [middle, half, stretch, loaded] = edges[f];
-      const Vector e{loaded * (ahead.x - behind.x), loaded * (ahead.y - behind.y)};
+      const Vector e = loaded * (ahead - behind);
       LoadedFace& face = faces_[first + f];
       face.force = {share_[load] * (pressure * e.y + shear * e.x),
                     share_[load] * (shear * e.y - pressure * e.x)};

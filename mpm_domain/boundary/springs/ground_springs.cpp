@@ -54,9 +54,9 @@ void GroundSprings::exchange(const Exchange& at, std::span<SupportLoad> loads) {
     const Vector last = started_ ? spring.field_velocity : now;
     const Vector strained = spring.strained;
     const Vector v = at.mean[spring.face];
-    const Vector moves{dt * (v.x - 0.5 * (last.x + now.x)), dt * (v.y - 0.5 * (last.y + now.y))};
+    const Vector moves = dt * (v - 0.5 * (last + now));
     const Vector lag = spring.moved - strained;
-    spring.moved = spring.moved + moves;
+    spring.moved += moves;
     spring.strained =
         spring.lags ? Vector{strained.x + dt * spring.rate.x * lag.x, strained.y + dt * spring.rate.y * lag.y}
                     : spring.moved;

@@ -174,14 +174,11 @@ RigidMotion pushed(double mass, double inertia, const RigidMotion& trial,
   Vector impulse;
   double turn = 0.0;
   for (const ContactPoint& p : points) {
-    const Vector t = p.tangent();
-    const Vector j{p.normal_impulse * p.normal.x + p.tangential_impulse * t.x,
-                   p.normal_impulse * p.normal.y + p.tangential_impulse * t.y};
-    impulse = impulse + j;
+    const Vector j = p.normal_impulse * p.normal + p.tangential_impulse * p.tangent();
+    impulse += j;
     turn += cross(p.arm, j);
   }
-  return {{trial.velocity.x + impulse.x / mass, trial.velocity.y + impulse.y / mass},
-          trial.spin + turn / inertia};
+  return {trial.velocity + impulse / mass, trial.spin + turn / inertia};
 }
 
 } // namespace

@@ -58,11 +58,11 @@ ChangeByOthers Contact::by_others(std::span<const SharedNode>& next) const {
     const ContactNode& there = node_of(next.front().other);
     const Vector& change = next.front().other.own ? there.body_change : there.solid_change;
     if (next.front().own) {
-      sum.body = sum.body + change;
+      sum.body += change;
       continue;
     }
-    sum.solid = sum.solid + change;
-    sum.water = sum.water + there.water_change;
+    sum.solid += change;
+    sum.water += there.water_change;
   }
   return sum;
 }

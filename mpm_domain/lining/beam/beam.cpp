@@ -51,7 +51,7 @@ Beam::Beam(const BeamShape& shape, const BeamSection& section)
   masses_.assign(q_.size(), 0.0);
   for (std::size_t k = 0; k < (shape.closed ? nodes : nodes - 1); ++k) {
     const std::size_t next = (k + 1) % nodes;
-    const Vector chord{shape.nodes[next].x - shape.nodes[k].x, shape.nodes[next].y - shape.nodes[k].y};
+    const Vector chord = shape.nodes[next] - shape.nodes[k];
     const double length = std::hypot(chord.x, chord.y);
     if (!(length > 0.0))
       throw std::invalid_argument(

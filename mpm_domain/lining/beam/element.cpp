@@ -17,7 +17,7 @@ ElementPlace place_of(const BeamElement& element, std::span<const double> q) {
   const Vector chord{q[xb] - q[xa], q[yb] - q[ya]};
   ElementPlace place;
   place.length = std::sqrt(square(chord));
-  place.axis = {chord.x / place.length, chord.y / place.length};
+  place.axis = chord / place.length;
   const double turn = std::atan2(chord.y, chord.x) - element.angle;
   const auto local = [&](double theta) {
     const double angle = theta - turn;

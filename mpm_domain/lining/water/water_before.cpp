@@ -122,11 +122,11 @@ WaterBefore find_water_before(const Ground& ground, std::span<const NearParticle
       if (!(mass > 0.0))
         continue;
       const Vector v = grid.velocity_before(n);
-      Vector push{dt * of_sealed.force.x, dt * of_sealed.force.y};
+      Vector push = dt * of_sealed.force;
       if (flows)
         push = {push.x + grid.water_mass[n] * (grid.wx_before[n] - v.x) + dt * grid.water_force_x[n],
                 push.y + grid.water_mass[n] * (grid.wy_before[n] - v.y) + dt * grid.water_force_y[n]};
-      before.nodes.push_back({n, mass, {v.x + push.x / mass, v.y + push.y / mass}});
+      before.nodes.push_back({n, mass, v + push / mass});
     }
   for (const SegmentRows& of : rows)
     before.least.push_back(ground.spec.water->fluid.cavitation_pressure - rest_pressure(ground, of.place));
@@ -145,11 +145,11 @@ std::vector<NodeFlow> find_flows(const Ground& ground, std::span<const SegmentRo
       auto found = std::ranges::lower_bound(flows, node, {}, &NodeFlow::node);
       if (found == flows.end() || found->node != node)
         found = flows.insert(found, {node, {}, grid.mass[node], grid.water_mass[node], 1.0});
-      found->normal = {found->normal.x + share * of.normal.x, found->normal.y + share * of.normal.y};
+      found->normal += share * of.normal;
     }
   for (NodeFlow& of : flows) {
     const double length = std::hypot(of.normal.x, of.normal.y);
-    of.normal = {of.normal.x / length, of.normal.y / length};
+    of.normal = of.normal / length;
     const double full = ground.spec.water->fluid.density * grid.wet_volume[of.node];
     const double ratio = of.water_mass / of.solid_mass;
     of.drag += dt * (1.0 + ratio) * of.water_mass / (full * full) * grid.resistance[of.node];

@@ -25,9 +25,9 @@ void add_rest_pressure(const Ground& ground, std::span<const Vector> outline, co
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const Vector& a = outline[k];
     const Vector& b = outline[(k + 1) % outline.size()];
-    const Vector along{b.x - a.x, b.y - a.y};
+    const Vector along = b - a;
     for (const double share : std::array{0.5 - off, 0.5 + off}) {
-      const Vector at{a.x + share * along.x, a.y + share * along.y};
+      const Vector at = a + share * along;
       const double half = 0.5 * rest_pressure(ground, at);
       const Vector push{-half * along.y, half * along.x}; // the outline runs counter-clockwise
       shares.clear();

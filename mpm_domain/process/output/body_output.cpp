@@ -28,8 +28,7 @@ struct BodyPlace {
   double tilt;
 
   BodyPlace(const RigidBody& body, double dt)
-      : centre{body.centre().x - 0.5 * dt * body.motion().velocity.x,
-               body.centre().y - 0.5 * dt * body.motion().velocity.y},
+      : centre(body.centre() - 0.5 * dt * body.motion().velocity),
         tilt(body.tilt() - 0.5 * dt * body.motion().spin) {}
 
   Vector turned(const Vector& arm) const {
@@ -73,7 +72,7 @@ BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::
                     std::array{results::Attribute{"structure", names[*monitor.structure]}});
     const Vector& start = bodies[*monitor.structure].start();
     followers_.push_back(
-        {*monitor.structure, {monitor.point.x - start.x, monitor.point.y - start.y}, {}, {}, &series});
+        {*monitor.structure, Vector{monitor.point.x, monitor.point.y} - start, {}, {}, &series});
     series_.emplace_back(path, &series);
   }
 }
@@ -107,8 +106,8 @@ void BodyOutput::write_outlines(const Stepper& stepper) {
     const double back = 0.5 * stepper.dt();
     for (const std::vector<Vector>* points : {&elastic->surface().points(), &elastic->hole()})
       for (const Vector& p : *points) {
-        const Vector v = u.at(domain_.contact.bodies()[b].arm(p));
-        row.insert(row.end(), {p.x - back * v.x, p.y - back * v.y});
+        const Vector at = p - back * u.at(domain_.contact.bodies()[b].arm(p));
+        row.insert(row.end(), {at.x, at.y});
       }
     (series++)->second->append(row);
   }
@@ -139,8 +138,7 @@ void BodyOutput::write_follower(const Follower& follower, const Stepper& stepper
   const BodyPlace place(body, stepper.dt());
   const Vector arm = place.turned(follower.arm);
   // The centre's displacement and the arm's, so that rounding of large coordinates stays out of it.
-  const Vector u{place.centre.x - body.start().x + (arm.x - follower.arm.x),
-                 place.centre.y - body.start().y + (arm.y - follower.arm.y)};
+  const Vector u = place.centre - body.start() + (arm - follower.arm);
   const double n = stepper.speed_of_time();
   follower.series->append(std::array{stepper.time_of_soil(), place.centre.x + arm.x, place.centre.y + arm.y,
                                      u.x, u.y, follower.velocity.x / n, follower.velocity.y / n,
@@ -151,8 +149,7 @@ void BodyOutput::after_step(const Stepper& stepper) {
   for (Follower& follower : followers_) {
     const RigidBody& body = domain_.contact.bodies()[follower.body];
     const Vector v = body.motion().at(BodyPlace(body, stepper.dt()).turned(follower.arm));
-    follower.acceleration = {(v.x - follower.velocity.x) / stepper.kick(),
-                             (v.y - follower.velocity.y) / stepper.kick()};
+    follower.acceleration = (v - follower.velocity) / stepper.kick();
     follower.velocity = v;
   }
 }
@@ -173,7 +170,7 @@ ContactFrame BodyOutput::contact(const Stepper& stepper) const {
     for (const ContactNode& node : domain_.contact.nodes(b)) {
       add(node, b, node.normal);
       if (node.key.against) // the other structure gets the opposite
-        add(node, *node.key.against, -1.0 * node.normal);
+        add(node, *node.key.against, -node.normal);
     }
   return frame;
 }

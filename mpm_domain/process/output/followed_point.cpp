@@ -58,9 +58,7 @@ ParticleMotion motion_in_space(const Snapshot& snapshot, ParticleName particle, 
   const double dt = stepper.dt();
   const double n = stepper.speed_of_time();
   const BaseMotion base = stepper.domain().boundary.base_motion();
-  const auto sum = [](Vector p, Vector q, double unit) {
-    return Vector{(p.x + q.x) / unit, (p.y + q.y) / unit};
-  };
+  const auto sum = [](Vector p, Vector q, double unit) { return (p + q) / unit; };
   return {place(set, k, dt), sum(displacement(set, k, dt), base.displacement, 1.0),
           sum(snapshot.velocity(s, k), base.velocity, n),
           sum(snapshot.acceleration(s, k), base.acceleration, n * n)};

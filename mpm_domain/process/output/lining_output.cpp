@@ -22,11 +22,10 @@ std::vector<double> start_of(const Beam& beam) {
 Vector middle_of(const SurfaceSegment& segment, const Beam& beam) {
   Vector sum{};
   for (const SurfacePoint& point : segment.points) {
-    const Vector at = place(point, beam);
-    sum = sum + at;
+    sum += place(point, beam);
   }
   const auto count = static_cast<double>(segment.points.size());
-  return {sum.x / count, sum.y / count};
+  return sum / count;
 }
 
 std::vector<double> middles_of(const LiningBody& lining) {
@@ -105,11 +104,9 @@ void LiningOutput::write_history(const Stepper& stepper) {
     const Beam& beam = lining.beam();
     std::vector<double> row{stepper.time_of_soil()};
     for (std::size_t k = 0; k < beam.elements().size(); ++k) {
-      const Vector at = beam.place(k);
-      const Vector v = beam.velocity(k);
+      const Vector at = beam.place(k) - back * beam.velocity(k);
       const SectionForces forces = beam.forces(k);
-      row.insert(row.end(),
-                 {at.x - back * v.x, at.y - back * v.y, forces.axial, forces.shear, forces.moment});
+      row.insert(row.end(), {at.x, at.y, forces.axial, forces.shear, forces.moment});
     }
     const std::vector<double> stresses = stresses_on(lining, domain_, stepper.kick());
     row.insert(row.end(), stresses.begin(), stresses.end());
