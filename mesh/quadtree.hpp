@@ -6,6 +6,8 @@
 
 #include "mesh/cell_size.hpp"
 
+#include "base/vector.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,7 +22,13 @@ struct Rectangle {
   double x_max = 0.0;
   double y_max = 0.0;
 
-  double area() const { return (x_max - x_min) * (y_max - y_min); }
+  double width() const { return x_max - x_min; }
+  double height() const { return y_max - y_min; }
+  double area() const { return width() * height(); }
+  /// Whether p lies inside or on the edge.
+  bool contains(const Vector& p) const {
+    return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
+  }
 };
 
 /// A box with cells 2^level times smaller than the root cells.

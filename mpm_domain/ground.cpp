@@ -339,7 +339,7 @@ bool Ground::has_structures_here() const {
   return !share || share->ranks->rank() == 0;
 }
 
-NodePlace Ground::place_of(std::size_t node) const {
+NodePosition Ground::position_of(std::size_t node) const {
   int level = 0;
   while (node >= lattice(level).first + lattice(level).count())
     ++level;
@@ -353,8 +353,8 @@ NodePlace Ground::place_of(std::size_t node) const {
 bool Ground::counts(const NodeRange& nodes) const {
   if (!share)
     return true;
-  const NodePlace place = place_of(nodes.begin);
-  return share->is_mine(tiles.tile_of(place.level, place.column, place.row));
+  const NodePosition position = position_of(nodes.begin);
+  return share->is_mine(tiles.tile_of(position.level, position.column, position.row));
 }
 
 double Ground::sort_distance() const {

@@ -62,7 +62,7 @@ struct ClockTiles {
 };
 
 /// A node of a lattice.
-struct NodePlace {
+struct NodePosition {
   int level;
   int column;
   int row;
@@ -154,7 +154,7 @@ struct Ground {
   /// Whether this rank computes structures, linings, props and surface loads: the first rank does.
   bool has_structures_here() const;
   /// Position of a node.
-  NodePlace place_of(std::size_t node) const;
+  NodePosition position_of(std::size_t node) const;
   /// Whether nodes of one row and one tile count here, not on another rank.
   bool counts(const NodeRange& nodes) const;
   /// Largest motion of a particle allowed between two sorts, m.

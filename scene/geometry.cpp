@@ -21,15 +21,6 @@ Segment edge(const Polygon& polygon, std::size_t i) {
   return {polygon[i], polygon[(i + 1) % polygon.size()]};
 }
 
-Point minus(Point a, Point b) {
-  return {a.x - b.x, a.y - b.y};
-}
-double cross(Point a, Point b) {
-  return a.x * b.y - a.y * b.x;
-}
-double dot(Point a, Point b) {
-  return a.x * b.x + a.y * b.y;
-}
 double length(Point a) {
   return std::hypot(a.x, a.y);
 }
@@ -39,8 +30,8 @@ double length(Point a) {
 constexpr double tolerance = 1e-9;
 
 bool on_segment(Point p, const Segment& s) {
-  const Point along = minus(s.b, s.a);
-  const Point to = minus(p, s.a);
+  const Point along = s.b - s.a;
+  const Point to = p - s.a;
   const double size = length(along);
   if (size == 0.0)
     return length(to) == 0.0;
@@ -57,12 +48,12 @@ bool on_outline(const Polygon& polygon, Point p) {
 
 /// Parameters in [0, 1] along s where it meets the segment other, for segments that are not parallel.
 void add_crossing(const Segment& s, const Segment& other, std::vector<double>& cuts) {
-  const Point d = minus(s.b, s.a);
-  const Point e = minus(other.b, other.a);
+  const Point d = s.b - s.a;
+  const Point e = other.b - other.a;
   const double denominator = cross(d, e);
   if (std::abs(denominator) <= tolerance * length(d) * length(e))
     return;
-  const double t = cross(minus(other.a, s.a), e) / denominator;
+  const double t = cross(other.a - s.a, e) / denominator;
   if (t > 0.0 && t < 1.0)
     cuts.push_back(t);
 }
@@ -70,9 +61,7 @@ void add_crossing(const Segment& s, const Segment& other, std::vector<double>& c
 bool segments_meet(const Segment& s, const Segment& r) {
   if (on_segment(s.a, r) || on_segment(s.b, r) || on_segment(r.a, s) || on_segment(r.b, s))
     return true;
-  const auto side = [](const Segment& line, Point p) {
-    return cross(minus(line.b, line.a), minus(p, line.a)) > 0.0;
-  };
+  const auto side = [](const Segment& line, Point p) { return cross(line.b - line.a, p - line.a) > 0.0; };
   return side(s, r.a) != side(s, r.b) && side(r, s.a) != side(r, s.b);
 }
 
@@ -82,7 +71,7 @@ Box box_of(const Segment& s) {
 
 /// Whether a piece of a's edge, cut where it meets the edges of b, runs inside b.
 bool edge_enters(const Polygon& a, const Polygon& b) {
-  const Box all = box_of(b);
+  const Box all = scene::box_of(b);
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Segment s = edge(a, i);
     if (!meet(box_of(s), all))
@@ -124,10 +113,6 @@ Point inner_point(const Polygon& polygon) {
 
 } // namespace
 
-bool Box::contains(Point p) const {
-  return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
-}
-
 // n triangles of two sides R and an angle a between them: n/2 R^2 sin a = pi r^2.
 Polygon circle(Point centre, double radius) {
   constexpr int corners = 64;
@@ -154,14 +139,14 @@ std::vector<Point> points_along(Point from, Point to, double spacing) {
 double area(const Polygon& polygon) {
   double twice = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    twice += cross(minus(edge(polygon, i).a, polygon.front()), minus(edge(polygon, i).b, polygon.front()));
+    twice += cross(edge(polygon, i).a - polygon.front(), edge(polygon, i).b - polygon.front());
   return 0.5 * std::abs(twice);
 }
 
 double perimeter(const Polygon& polygon) {
   double sum = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    sum += length(minus(edge(polygon, i).b, edge(polygon, i).a));
+    sum += length(edge(polygon, i).b - edge(polygon, i).a);
   return sum;
 }
 
@@ -175,7 +160,7 @@ void for_pieces(const Polygon& polygon, double level, double longest,
     const double crossing = a.y > level || b.y > level ? (level - a.y) / (b.y - a.y) : 0.0;
     const double begin = a.y > level ? crossing : 0.0;
     const double end = b.y > level ? crossing : 1.0;
-    const int parts = std::max(1, static_cast<int>(std::ceil(length(minus(at(end), at(begin))) / longest)));
+    const int parts = std::max(1, static_cast<int>(std::ceil(length(at(end) - at(begin)) / longest)));
     const auto part = [=](double n) { return at(begin + n / parts * (end - begin)); };
     for (int n = 0; n < parts; ++n)
       visit(part(n), part(n + 1));
@@ -197,7 +182,7 @@ bool intersects_itself(const Polygon& polygon) {
   for (std::size_t i = 0; i < n; ++i) {
     const Segment s = edge(polygon, i);
     const Segment next = edge(polygon, (i + 1) % n);
-    if (length(minus(s.b, s.a)) == 0.0 || on_segment(next.b, s) || on_segment(s.a, next))
+    if (length(s.b - s.a) == 0.0 || on_segment(next.b, s) || on_segment(s.a, next))
       return true;
     boxes.push_back(box_of(s));
   }

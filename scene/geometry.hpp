@@ -2,31 +2,20 @@
 
 // Plane geometry of case files. x to the right, y up, m.
 
+#include "base/vector.hpp"
+#include "mesh/quadtree.hpp"
+
 #include <functional>
 #include <vector>
 
 namespace tremolo::scene {
 
-struct Point {
-  double x = 0.0;
-  double y = 0.0;
-};
+using Point = Vector;
 
 /// Corners in either sense of rotation; the last is joined to the first.
 using Polygon = std::vector<Point>;
 
-/// An axis-parallel rectangle.
-struct Box {
-  double x_min = 0.0;
-  double y_min = 0.0;
-  double x_max = 0.0;
-  double y_max = 0.0;
-
-  double width() const { return x_max - x_min; }
-  double height() const { return y_max - y_min; }
-  /// Whether p lies inside or on the edge.
-  bool contains(Point p) const;
-};
+using Box = mesh::Rectangle;
 
 /// A polygon of 64 corners with the area of a circle, counter-clockwise.
 Polygon circle(Point centre, double radius);

@@ -56,7 +56,7 @@ struct Section {
 struct Prop {
   struct End {
     std::string structure; ///< its name; empty: the ground
-    Point place;
+    Point position;
   };
   std::string name;
   End from;

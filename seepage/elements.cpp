@@ -28,7 +28,7 @@ Point point_of_quadrilateral(const FlowProblem& problem, const Element& element,
     const auto& [cr, cs] = corners[static_cast<std::size_t>(i)];
     point.shape[i] = 0.25 * (1.0 + cr * r) * (1.0 + cs * s);
     parent.row(i) << 0.25 * cr * (1.0 + cs * s), 0.25 * cs * (1.0 + cr * r);
-    const Place& place = problem.nodes[element.nodes[static_cast<std::size_t>(i)]];
+    const Vector& place = problem.nodes[element.nodes[static_cast<std::size_t>(i)]];
     places.row(i) << place.x, place.y;
   }
   const Eigen::Matrix2d jacobian = parent.transpose() * places;
@@ -40,9 +40,9 @@ Point point_of_quadrilateral(const FlowProblem& problem, const Element& element,
 /// @param shape  of the point: its three barycentric coordinates
 Point point_of_triangle(const FlowProblem& problem, const Element& element, const Eigen::Vector3d& shape,
                         double share) {
-  const Place& a = problem.nodes[element.nodes[0]];
-  const Place& b = problem.nodes[element.nodes[1]];
-  const Place& c = problem.nodes[element.nodes[2]];
+  const Vector& a = problem.nodes[element.nodes[0]];
+  const Vector& b = problem.nodes[element.nodes[1]];
+  const Vector& c = problem.nodes[element.nodes[2]];
   const double twice = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   Point point;
   point.shape.head<3>() = shape;
@@ -110,9 +110,9 @@ Eigen::Matrix4d conductance(const FlowProblem& problem, const Element& element, 
   return k;
 }
 
-Place gradient(const FlowProblem& problem, const Element& element, std::span<const double> heads) {
+Vector gradient(const FlowProblem& problem, const Element& element, std::span<const double> heads) {
   const Point point = centre(problem, element);
-  Place sum;
+  Vector sum;
   for (std::size_t i = 0; i < element.corners; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     sum.x += point.gradient(row, 0) * heads[element.nodes[i]];

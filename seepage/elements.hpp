@@ -30,7 +30,7 @@ Eigen::Matrix4d conductance(const FlowProblem& problem, const Element& element, 
                             std::span<const double> heads);
 
 /// grad h at the centre of an element, 1
-Place gradient(const FlowProblem& problem, const Element& element, std::span<const double> heads);
+Vector gradient(const FlowProblem& problem, const Element& element, std::span<const double> heads);
 
 /// m2
 double area(const FlowProblem& problem, const Element& element);

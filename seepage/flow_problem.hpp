@@ -3,16 +3,14 @@
 // The ground that water seeps through, and what is known at its edges: nodes, the elements between them, and
 // heads. It knows neither soil nor particles.
 
+#include "base/vector.hpp"
+
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace tremolo::seepage {
-
-struct Place {
-  double x = 0.0, y = 0.0; ///< m; y is an elevation
-};
 
 /// A triangle or a quadrilateral of one permeability.
 struct Element {
@@ -29,7 +27,7 @@ enum class Condition {
 };
 
 struct FlowProblem {
-  std::vector<Place> nodes;
+  std::vector<Vector> nodes; ///< m; y is an elevation
   std::vector<Element> elements;
   std::vector<Condition> conditions; ///< by node
   std::vector<double> given;         ///< by node: the head where it is given, m

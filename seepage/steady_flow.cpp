@@ -209,17 +209,17 @@ SteadyFlow solve(const FlowProblem& problem) {
                                  most_iterations));
 }
 
-std::optional<Place> exit_point(const FlowProblem& problem, const SteadyFlow& flow) {
+std::optional<Vector> exit_point(const FlowProblem& problem, const SteadyFlow& flow) {
   if (flow.exits.empty())
     return std::nullopt;
   std::vector<std::size_t> exits = flow.exits;
   std::ranges::sort(exits, std::greater{}, [&](std::size_t n) { return problem.nodes[n].y; });
-  const Place top = problem.nodes[exits[0]];
+  const Vector top = problem.nodes[exits[0]];
   if (exits.size() == 1)
     return top;
-  const Place next = problem.nodes[exits[1]];
+  const Vector next = problem.nodes[exits[1]];
   const double share = std::min(flow.inflow[exits[0]] / flow.inflow[exits[1]], 1.0);
-  return Place{top.x + (share - 0.5) * (top.x - next.x), top.y + (share - 0.5) * (top.y - next.y)};
+  return Vector{top.x + (share - 0.5) * (top.x - next.x), top.y + (share - 0.5) * (top.y - next.y)};
 }
 
 } // namespace tremolo::seepage

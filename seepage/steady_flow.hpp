@@ -45,6 +45,6 @@ SteadyFlow solve(const FlowProblem& problem);
 /// Point at which the phreatic surface meets the exit, m: the highest node with outflow represents the ground
 /// half-way to its neighbours, or less of it if its outflow is smaller than that of the next. Empty without
 /// exits.
-std::optional<Place> exit_point(const FlowProblem& problem, const SteadyFlow& flow);
+std::optional<Vector> exit_point(const FlowProblem& problem, const SteadyFlow& flow);
 
 } // namespace tremolo::seepage

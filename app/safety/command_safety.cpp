@@ -40,8 +40,6 @@ struct Options {
   int threads = machine_threads();
 };
 
-using mpm_domain::Vector;
-
 /// Between which the soil may fail.
 struct Ends {
   Vector from, to;
@@ -122,7 +120,7 @@ std::string trials_text(const std::vector<mpm_domain::StrengthTrial>& trials) {
 std::string mechanism_text(const std::vector<mpm_domain::MovingPoint>& mechanism) {
   std::string text = mechanism_heading;
   for (const auto& point : mechanism)
-    text += fmt::format("{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g}\n", point.place.x, point.place.y,
+    text += fmt::format("{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g}\n", point.position.x, point.position.y,
                         point.size, point.velocity.x, point.velocity.y, point.plastic_strain);
   return text;
 }

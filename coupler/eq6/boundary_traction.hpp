@@ -15,34 +15,13 @@
 // Every product that is added goes through std::fma: the result is then the same bits wherever the function
 // is inlined, so the coupler (lockstep) and the domain (window) cannot differ.
 
+#include "base/vector.hpp"
+
 #include <cmath>
 
 namespace tremolo::eq6 {
 
-/// A vector in the plane: x to the right, y up.
-struct Vector {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-inline Vector operator+(const Vector& a, const Vector& b) {
-  return {a.x + b.x, a.y + b.y};
-}
-inline Vector operator-(const Vector& a, const Vector& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-inline Vector operator-(const Vector& a) {
-  return {-a.x, -a.y};
-}
-inline Vector operator*(double factor, const Vector& a) {
-  return {factor * a.x, factor * a.y};
-}
-inline Vector operator/(const Vector& a, double divisor) {
-  return {a.x / divisor, a.y / divisor};
-}
-inline Vector& operator+=(Vector& a, const Vector& b) {
-  return a = a + b;
-}
+using tremolo::Vector;
 
 /// Dynamic stress in the plane, Pa, tension positive.
 struct Stress {

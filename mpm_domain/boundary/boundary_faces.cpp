@@ -63,23 +63,23 @@ BoundaryFace make_face(Side side, Vector normal, const Spec& spec, Particles& se
 /// On one lattice: averaged along the face, linear across it. Calls add(i, j, w) for columns and rows of
 /// nodes.
 template <typename Add>
-void lattice_weights(const BoundaryFace& face, const FacePlace& place, const Lattice& lattice,
+void lattice_weights(const BoundaryFace& face, const FacePosition& position, const Lattice& lattice,
                      const Add& add) {
-  const mesh::Rectangle line = line_of(face, place);
+  const mesh::Rectangle line = line_of(face, position);
   const auto add_touched = [&](int i, int j, double w) {
     if (w != 0.0)
       add(i, j, w);
   };
   if (face.side != Side::base) {
     const Linear across = linear_weights(line.x_min, lattice.x0, lattice.h);
-    const Weights along = averaged(place.centre.y, lattice.y0, lattice.h, place.half.y);
+    const Weights along = averaged(position.centre.y, lattice.y0, lattice.h, position.half.y);
     for (int a = 0; a < 4; ++a)
       if (along.s[a] != 0.0)
         for (int b = 0; b < 2; ++b)
           add_touched(across.base + b, along.base + a, along.s[a] * across.w[b]);
   } else {
     const Linear across = linear_weights(line.y_min, lattice.y0, lattice.h);
-    const Weights along = averaged(place.centre.x, lattice.x0, lattice.h, place.half.x);
+    const Weights along = averaged(position.centre.x, lattice.x0, lattice.h, position.half.x);
     for (int b = 0; b < 2; ++b)
       if (across.w[b] != 0.0)
         for (int a = 0; a < 4; ++a)
@@ -93,7 +93,7 @@ std::string text_of(Side side) {
   return std::string(name(side)) + (side == Side::base ? "" : " side");
 }
 
-FacePlace place_of(const BoundaryFace& face, const Particles& set) {
+FacePosition position_of(const BoundaryFace& face, const Particles& set) {
   const std::size_t k = set.index_of[face.id];
   return {{set.x[k], set.y[k]}, half_sides(set, k)};
 }
@@ -101,13 +101,13 @@ FacePlace place_of(const BoundaryFace& face, const Particles& set) {
 FaceSoil soil_at(const BoundaryFace& face, const Particles& set) {
   const std::size_t k = set.index_of[face.id];
   const double excess = set.traits.wet ? excess_pressure(set, k) : 0.0;
-  const FacePlace place = place_of(face, set);
-  const double length = face.side == Side::base ? face.length : set.volume[k] / (2.0 * place.half.x);
-  return {place, set.x[k] - face.start_x, set.syy[k] - excess, excess, length};
+  const FacePosition position = position_of(face, set);
+  const double length = face.side == Side::base ? face.length : set.volume[k] / (2.0 * position.half.x);
+  return {position, set.x[k] - face.start_x, set.syy[k] - excess, excess, length};
 }
 
-mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place) {
-  const auto& [centre, half] = place;
+mesh::Rectangle line_of(const BoundaryFace& face, const FacePosition& position) {
+  const auto& [centre, half] = position;
   mesh::Rectangle line{centre.x - half.x, centre.y - half.y, centre.x + half.x, centre.y + half.y};
   switch (face.side) {
   case Side::left:
@@ -161,7 +161,7 @@ namespace {
 ///
 /// so that the traction of a wave and its velocity come to the nodes as the sharpened internal forces do.
 /// Nothing changes in the sum of the weights and their first moment.
-void sharpen_along(const Ground& ground, const BoundaryFace& face, const FacePlace& at,
+void sharpen_along(const Ground& ground, const BoundaryFace& face, const FacePosition& at,
                    const Lattice& lattice, FaceWeights& weights) {
   const auto columns = static_cast<std::size_t>(lattice.nx);
   const bool along_x = face.side == Side::base;
@@ -190,17 +190,17 @@ void sharpen_along(const Ground& ground, const BoundaryFace& face, const FacePla
   std::array<std::array<double, 8>, 2> sharp{}; // [line][1 + place]
   for (const auto& [node, w] : weights) {
     const std::size_t line = line_at(node);
-    const std::size_t place = place_at(node, line);
+    const std::size_t position = place_at(node, line);
     const double taken = 0.5 * moment * chi[node] * w;
-    sharp[line][place] -= taken;
-    sharp[line][place + 1] += w + 2.0 * taken;
-    sharp[line][place + 2] -= taken;
+    sharp[line][position] -= taken;
+    sharp[line][position + 1] += w + 2.0 * taken;
+    sharp[line][position + 2] -= taken;
   }
   weights.clear();
   for (std::size_t line = 0; line < sharp.size(); ++line)
-    for (std::size_t place = 0; place < sharp[line].size(); ++place)
-      if (sharp[line][place] != 0.0)
-        weights.push_back({first_node + line * across + place * step - step, sharp[line][place]});
+    for (std::size_t position = 0; position < sharp[line].size(); ++position)
+      if (sharp[line][position] != 0.0)
+        weights.push_back({first_node + line * across + position * step - step, sharp[line][position]});
 }
 
 /// The nodes that tied ones follow take their place.
@@ -219,23 +219,23 @@ void follow_ties(const Prolongation& ties, FaceWeights& weights) {
 } // namespace
 
 void face_weights(const Ground& ground, const BoundaryFace& face, FaceWeights& weights) {
-  face_weights(ground, face, place_of(face, ground.sets[face.set]), weights);
+  face_weights(ground, face, position_of(face, ground.sets[face.set]), weights);
 }
 
-void face_weights(const Ground& ground, const BoundaryFace& face, const FacePlace& place,
+void face_weights(const Ground& ground, const BoundaryFace& face, const FacePosition& position,
                   FaceWeights& weights) {
   weights.clear();
   if (!ground.mesh || face.level != BoundaryFace::unknown) {
     const Lattice& lattice = ground.lattice(ground.mesh ? face.level : 0);
-    lattice_weights(face, place, lattice, [&](int i, int j, double w) {
+    lattice_weights(face, position, lattice, [&](int i, int j, double w) {
       weights.push_back({lattice.index(i, j), w});
     });
     if (ground.is_sharp() &&
         std::ranges::find(ground.spec.matched_sides, face.side) == ground.spec.matched_sides.end())
-      sharpen_along(ground, face, place, lattice, weights);
+      sharpen_along(ground, face, position, lattice, weights);
   } else {
     std::vector<BoxWeight> parts;
-    box_average(*ground.mesh, line_of(face, place), parts);
+    box_average(*ground.mesh, line_of(face, position), parts);
     for (const BoxWeight& part : parts)
       weights.push_back({part.node, part.s});
   }

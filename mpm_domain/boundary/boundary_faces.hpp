@@ -80,15 +80,15 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
 int level_of(const Ground& ground, const BoundaryFace& face);
 
 /// Position of a face's particle, and half the sides of its box, m.
-struct FacePlace {
+struct FacePosition {
   Vector centre;
   Vector half;
 };
-FacePlace place_of(const BoundaryFace& face, const Particles& set);
+FacePosition position_of(const BoundaryFace& face, const Particles& set);
 
 /// The soil at a face: its particle.
 struct FaceSoil {
-  FacePlace place;
+  FacePosition position;
   double moved = 0.0;  ///< along x, m
   double syy = 0.0;    ///< total where there is pore water and over that of the water at rest, Pa
   double excess = 0.0; ///< pore pressure over that of the water at rest, Pa
@@ -97,14 +97,14 @@ struct FaceSoil {
 FaceSoil soil_at(const BoundaryFace& face, const Particles& set);
 
 /// The side of its particle's box that a face covers: a line.
-mesh::Rectangle line_of(const BoundaryFace& face, const FacePlace& place);
+mesh::Rectangle line_of(const BoundaryFace& face, const FacePosition& position);
 
 /// Limits on the positions of soil: at a side with faces, overflow_cells (particles/grid_growth.hpp) beyond
 /// the outermost face.
 Box soil_limits(const Ground& ground, std::span<const BoundaryFace> faces);
 
 /// Weights of a face with its particle at a place, or at its present one, of nodes that are not tied.
-void face_weights(const Ground& ground, const BoundaryFace& face, const FacePlace& place,
+void face_weights(const Ground& ground, const BoundaryFace& face, const FacePosition& position,
                   FaceWeights& weights);
 void face_weights(const Ground& ground, const BoundaryFace& face, FaceWeights& weights);
 

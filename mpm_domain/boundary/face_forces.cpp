@@ -140,7 +140,9 @@ void FaceForces::find(int clock, const Ticks& ticks, const FaceLoads& loads) {
       reaction = support.reaction();
     }
     loads_[f * clocks + static_cast<std::size_t>(clock)] = {
-        l * (moves * moving + reacts * reaction + holds * held), l * (moves * z + inertia)};
+        {l * (moves * moving.x + reacts * reaction.x + holds * held.x),
+         l * (moves * moving.y + reacts * reaction.y + holds * held.y)},
+        l * (moves * z + inertia)};
   }
 }
 

@@ -45,7 +45,7 @@ void FaceMotion::weigh(Step& step, const BoundaryFace& face, std::size_t f, std:
   if (soil.empty())
     face_weights(ground, face, weights);
   else
-    face_weights(ground, face, soil[f].place, weights);
+    face_weights(ground, face, soil[f].position, weights);
   if (step.ticks.clocks() == 1)
     return;
   std::erase_if(weights,

@@ -30,9 +30,9 @@ auto shared_soil(const Ground& ground, std::span<const BoundaryFace> faces, cons
                  std::span<FaceSoil> soil) {
   return SharedRows{&list, 8,
                     [&ground, faces, soil](std::size_t f, double* numbers) {
-                      const auto& [place, moved, syy, excess, length] = soil[f] =
+                      const auto& [position, moved, syy, excess, length] = soil[f] =
                           soil_at(faces[f], ground.sets[faces[f].set]);
-                      const auto& [centre, half] = place;
+                      const auto& [centre, half] = position;
                       std::ranges::copy(
                           std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess, length},
                           numbers);
@@ -64,7 +64,7 @@ std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const Bounda
   const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
   std::vector<std::size_t> nodes;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const mesh::Rectangle line = line_of(faces[f], soil[f].place);
+    const mesh::Rectangle line = line_of(faces[f], soil[f].position);
     const bool own_boxes = ground.sets[faces[f].set].has_own_boxes();
     const double way = (own_boxes ? 2.0 : 1.0) * ground.sort_distance(); // as in reach_of()
     if (ground.mesh) {
@@ -93,8 +93,8 @@ void SoilAtFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace
   nodes_ = nodes_near(ground, faces, soil_);
   std::vector<int> owner;
   for (const std::size_t node : nodes_) {
-    const NodePlace place = ground.place_of(node);
-    owner.push_back(ground.share->owner(ground.tiles.tile_of(place.level, place.column, place.row)));
+    const NodePosition position = ground.position_of(node);
+    owner.push_back(ground.share->owner(ground.tiles.tile_of(position.level, position.column, position.row)));
   }
   sums_ = SharedList(owner, ranks);
 }

@@ -43,8 +43,8 @@ public:
 
 private:
   int slowest_at(int tick) const {
-    const auto place = static_cast<unsigned>(tick % count());
-    return place == 0 ? 0 : clocks_ - 1 - std::countr_zero(place);
+    const auto position = static_cast<unsigned>(tick % count());
+    return position == 0 ? 0 : clocks_ - 1 - std::countr_zero(position);
   }
 
   int clocks_;

@@ -55,21 +55,21 @@ PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
     std::size_t set;
     std::uint32_t id;
   };
-  std::vector<Place> places;
+  std::vector<Place> positions;
   for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
     const Particles& set = domain_.sets[s];
     for (std::size_t k = 0; k < set.size(); ++k)
       if (set.x[k] - spec_.domain.box.x_min < 2.0 * domain_.half_size())
-        places.push_back({set.y[k], s, set.id[k]});
+        positions.push_back({set.y[k], s, set.id[k]});
   }
-  std::ranges::sort(places, {}, &Place::y);
+  std::ranges::sort(positions, {}, &Place::y);
   levels_.push_back(spec_.domain.box.y_min);
-  for (const Place& place : places) {
-    sets_.push_back(place.set);
-    ids_.push_back(place.id);
-    levels_.push_back(place.y);
+  for (const Place& position : positions) {
+    sets_.push_back(position.set);
+    ids_.push_back(position.id);
+    levels_.push_back(position.y);
   }
-  levels_.push_back(places.back().y + domain_.half_size());
+  levels_.push_back(positions.back().y + domain_.half_size());
   points_.resize(levels_.size());
   find_wet_cells();
 

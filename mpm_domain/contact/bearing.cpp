@@ -14,20 +14,20 @@
 namespace tremolo::mpm_domain {
 
 void ContactNodes::bear_on(const BodySurface& surface, const Vector& centre, double h) {
-  const auto arm = [&](const Vector& place) { return place - centre; };
+  const auto arm = [&](const Vector& position) { return position - centre; };
   for (ContactNode& c : nodes_) {
-    const auto foot = surface.foot(c.place, {-c.normal.x, -c.normal.y});
+    const auto foot = surface.foot(c.position, {-c.normal.x, -c.normal.y});
     if (!foot)
       continue;
     if (foot->toe) {
-      c.arm = arm(foot->place);
+      c.arm = arm(foot->position);
       continue;
     }
-    const double along = dot(c.normal, foot->place - c.place);
+    const double along = dot(c.normal, foot->position - c.position);
     c.arm += along * c.normal;
   }
   for (const BodySurface::Toe& toe : surface.toes()) {
-    const Vector end = arm(toe.place);
+    const Vector end = arm(toe.position);
     for (const Vector& out : toe.normals) {
       ContactNode* nearest = nullptr;
       double least = h * h;

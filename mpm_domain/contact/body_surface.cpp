@@ -54,18 +54,18 @@ void BodySurface::place(std::vector<Vector> points) {
   }
 }
 
-bool BodySurface::contains(const Vector& place) const {
-  return place.x >= bounds_.x_min && place.x <= bounds_.x_max && place.y >= bounds_.y_min &&
-         place.y <= bounds_.y_max && mesh::inside(points_, place.x, place.y);
+bool BodySurface::contains(const Vector& position) const {
+  return position.x >= bounds_.x_min && position.x <= bounds_.x_max && position.y >= bounds_.y_min &&
+         position.y <= bounds_.y_max && mesh::inside(points_, position.x, position.y);
 }
 
-std::size_t BodySurface::nearest_edge(const Vector& place) const {
+std::size_t BodySurface::nearest_edge(const Vector& position) const {
   Lanes least = all(std::numeric_limits<double>::infinity());
   Lanes four_of_least{};
   for (std::size_t four = 0; four < edges_.size(); ++four) {
     const FourEdges& e = edges_[four];
-    const Lanes x = place.x - e.from_x;
-    const Lanes y = place.y - e.from_y;
+    const Lanes x = position.x - e.from_x;
+    const Lanes y = position.y - e.from_y;
     const Lanes t = clamp((x * e.x + y * e.y) * e.per_length2, 0.0, 1.0);
     const Lanes to_x = x - t * e.x;
     const Lanes to_y = y - t * e.y;
@@ -82,20 +82,20 @@ std::size_t BodySurface::nearest_edge(const Vector& place) const {
   return std::min(4 * static_cast<std::size_t>(four_of_least[lane]) + lane, points_.size() - 1);
 }
 
-BodySurface::Nearest BodySurface::nearest(const Vector& place) const {
-  const std::size_t k = nearest_edge(place);
+BodySurface::Nearest BodySurface::nearest(const Vector& position) const {
+  const std::size_t k = nearest_edge(position);
   const Vector& from = points_[before(k)];
   const Vector edge = points_[k] - from;
-  const double along = dot(place - from, edge) / dot(edge, edge);
+  const double along = dot(position - from, edge) / dot(edge, edge);
   const double t = std::clamp(along, 0.0, 1.0);
-  const Vector away = place - from - t * edge;
+  const Vector away = position - from - t * edge;
   const double distance = std::sqrt(dot(away, away));
   if (t == along) // from within the edge, it shows on which side of it a place lies
     return {std::copysign(distance, dot(away, normals_[k])), normals_[k], false};
   const bool corner = kinds_[along < 0.0 ? before(k) : k] != Point::round;
   if (distance == 0.0)
     return {0.0, normals_[k], corner};
-  const double sense = contains(place) ? -1.0 : 1.0;
+  const double sense = contains(position) ? -1.0 : 1.0;
   return {sense * distance, sense * away / distance, corner};
 }
 
@@ -103,7 +103,7 @@ bool BodySurface::faces(const Vector& normal, const Vector& direction) {
   return dot(normal, direction) >= least_facing;
 }
 
-std::optional<BodySurface::Foot> BodySurface::foot(const Vector& place, const Vector& direction) const {
+std::optional<BodySurface::Foot> BodySurface::foot(const Vector& position, const Vector& direction) const {
   std::optional<Foot> found;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -111,10 +111,10 @@ std::optional<BodySurface::Foot> BodySurface::foot(const Vector& place, const Ve
       continue;
     const Vector a = points_[before(k)];
     const Vector edge = points_[k] - a;
-    const double along = dot(place - a, edge) / dot(edge, edge);
+    const double along = dot(position - a, edge) / dot(edge, edge);
     const double t = std::clamp(along, 0.0, 1.0);
     const Vector foot = a + t * edge;
-    const double distance2 = square(place - foot);
+    const double distance2 = square(position - foot);
     if (distance2 < least) {
       least = distance2;
       found = Foot{foot, t != along && kinds_[along < 0.0 ? before(k) : k] == Point::toe};

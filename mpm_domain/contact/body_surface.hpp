@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/vector.hpp"
 #include "mesh/quadtree.hpp"
 #include "mpm_domain/kernel/lanes.hpp"
-#include "mpm_domain/spec/vector.hpp"
 
 #include <array>
 #include <cstddef>
@@ -24,7 +24,7 @@ public:
   void place(std::vector<Vector> points);
 
   const mesh::Rectangle& bounds() const { return bounds_; }
-  bool contains(const Vector& place) const;
+  bool contains(const Vector& position) const;
 
   /// The point of the outline next to a place, how far that lies outside (m; negative inside), the normal
   /// there, out of the body, and whether it is a corner.
@@ -33,7 +33,7 @@ public:
     Vector normal;
     bool corner;
   };
-  Nearest nearest(const Vector& place) const;
+  Nearest nearest(const Vector& position) const;
 
   /// Whether the normal of an edge is within 45 degrees of a direction.
   static bool faces(const Vector& normal, const Vector& direction);
@@ -41,14 +41,14 @@ public:
   /// The point next to a place on the edges that face a direction, and whether that is a toe, a corner that
   /// sticks out, beyond which the place lies.
   struct Foot {
-    Vector place;
+    Vector position;
     bool toe;
   };
-  std::optional<Foot> foot(const Vector& place, const Vector& direction) const;
+  std::optional<Foot> foot(const Vector& position, const Vector& direction) const;
 
   /// A toe, and the normals of the edges that meet there.
   struct Toe {
-    Vector place;
+    Vector position;
     std::array<Vector, 2> normals;
   };
   std::vector<Toe> toes() const;
@@ -65,7 +65,7 @@ private:
     Lanes per_length2{};      ///< 1/m2
   };
   /// The edge next to a place, by the point where it ends.
-  std::size_t nearest_edge(const Vector& place) const;
+  std::size_t nearest_edge(const Vector& position) const;
 
   std::vector<Point> kinds_;
   // These quantities move with the points:

@@ -209,15 +209,15 @@ void Contact::refuse_coarse_cells(const Ground& ground, std::size_t body) const 
   const int finest = ground.soil_lattice_count() - 1;
   for (const NearParticle& near : nodes_[body].near()) {
     const Particles& p = ground.sets[near.set];
-    const Vector place{p.x[near.index], p.y[near.index]};
-    if (surface(body).nearest(place).distance > ground.finest_lattice().h)
+    const Vector position{p.x[near.index], p.y[near.index]};
+    if (surface(body).nearest(position).distance > ground.finest_lattice().h)
       continue;
     const GradedMesh::Touched touched = ground.mesh->touched(box_of(p, near.index));
     if (touched.coarsest < finest || touched.quarter)
       throw OutOfReach(fmt::format(
           "structure '{}' has come within a cell of soil on cells larger than the finest, at x = {:.6g} m, "
           "y = {:.6g} m, and meets soil on the finest alone: refine the mesh as far as it goes",
-          bodies_[body].name(), place.x, place.y));
+          bodies_[body].name(), position.x, position.y));
   }
 }
 
@@ -354,7 +354,7 @@ double Contact::meet_remapped(Ground& ground) {
       const double tangential = std::clamp(stick, -limit, limit);
       const double un = normal / c.mass;
       const double ut = tangential / c.tangential;
-      const Vector taken = un * c.normal + ut * t;
+      const Vector taken{un * c.normal.x + ut * t.x, un * c.normal.y + ut * t.y};
       grid.vx_strain[n] -= taken.x;
       grid.vy_strain[n] -= taken.y;
       power += power_on(n, taken, c.key.against ? pull(*c.key.against) : Vector{});

@@ -111,19 +111,19 @@ void ContactNodes::find_reach(const Ground& ground, const Meeting& meeting) {
   reaches_.assign(firsts_.count(), 0);
   for (int j = window_.j0; j < window_.j0 + window_.rows; ++j)
     for (int i = window_.i0; i < window_.i0 + window_.columns; ++i) {
-      const std::size_t place = window_.place(i, j);
+      const std::size_t position = window_.index(i, j);
       if (ground.grid.mass[lattice.index(i, j)] <= empty)
         continue;
-      if (wall_[place] > least_wall_share * lattice.h ||
+      if (wall_[position] > least_wall_share * lattice.h ||
           meeting.surface.contains({lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h}))
-        reach_[place] = Reach::whole;
+        reach_[position] = Reach::whole;
       else if (meeting.own != nullptr)
-        reach_[place] = Reach::faint;
-      if (reach_[place] == Reach::none)
+        reach_[position] = Reach::faint;
+      if (reach_[position] == Reach::none)
         continue;
       for (int b = 0; b < 4; ++b)
         for (int a = 0; a < 4; ++a)
-          reaches_[firsts_.place(i - a, j - b)] = 1;
+          reaches_[firsts_.index(i - a, j - b)] = 1;
     }
 }
 
@@ -144,7 +144,7 @@ void ContactNodes::weigh_particles(Ground& ground, const Meeting& meeting) {
       const std::size_t k = near[n].index;
       const int column = static_cast<int>(std::floor(x_axis.cells(p.x[k]))) - 1;
       const int row = static_cast<int>(std::floor(y_axis.cells(p.y[k]))) - 1;
-      if (!firsts_.has(column, row) || reaches_[firsts_.place(column, row)] == 0)
+      if (!firsts_.has(column, row) || reaches_[firsts_.index(column, row)] == 0)
         continue;
       const double l = std::min(p.half_size, lattice.h);
       const Weights wx = cell_weights(p.x[k], x_axis, l);
@@ -154,12 +154,12 @@ void ContactNodes::weigh_particles(Ground& ground, const Meeting& meeting) {
         for (std::size_t a = 0; a < 4; ++a) {
           const int i = wx.base + static_cast<int>(a);
           const int j = wy.base + static_cast<int>(b);
-          if (!window_.has(i, j) || reach_[window_.place(i, j)] == Reach::none)
+          if (!window_.has(i, j) || reach_[window_.index(i, j)] == Reach::none)
             continue;
           const double vs = p.volume[k] * wx.s[a] * wy.s[b];
           if (vs > 0.0)
             entries.push_back({n,
-                               window_.place(i, j),
+                               window_.index(i, j),
                                vs,
                                {p.volume[k] * wx.g[a] * wy.s[b], p.volume[k] * wx.s[a] * wy.g[b]}});
         }
@@ -170,12 +170,12 @@ void ContactNodes::weigh_particles(Ground& ground, const Meeting& meeting) {
 }
 
 ContactNodes::Touch ContactNodes::touch(const Meeting& meeting, const Particles& p, std::size_t k) {
-  const Vector place{p.x[k], p.y[k]};
-  const BodySurface::Nearest nearest = meeting.surface.nearest(place);
+  const Vector position{p.x[k], p.y[k]};
+  const BodySurface::Nearest nearest = meeting.surface.nearest(position);
   double reaches =
       nearest.corner ? p.half_size : p.half_size * (std::abs(nearest.normal.x) + std::abs(nearest.normal.y));
   if (meeting.surface_of_other != nullptr)
-    reaches = std::min(reaches, std::max(0.0, -meeting.surface_of_other->nearest(place).distance));
+    reaches = std::min(reaches, std::max(0.0, -meeting.surface_of_other->nearest(position).distance));
   return {nearest.distance - reaches, nearest.corner, {-nearest.normal.x, -nearest.normal.y}};
 }
 
@@ -184,11 +184,11 @@ void ContactNodes::sum_particles(const Ground& ground, const Meeting& meeting) {
   sums_.assign(window_.count(), {});
   const auto entries = std::views::join(entries_);
   for (const Entry& entry : entries)
-    sums_[entry.place].least_gap = std::min(sums_[entry.place].least_gap, touches_[entry.near].gap);
-  for (const auto& [n, place, vs, gradient] : entries) {
+    sums_[entry.position].least_gap = std::min(sums_[entry.position].least_gap, touches_[entry.near].gap);
+  for (const auto& [n, position, vs, gradient] : entries) {
     const Particles& p = ground.sets[meeting.near[n].set];
     const std::size_t k = meeting.near[n].index;
-    Sums& sums = sums_[place];
+    Sums& sums = sums_[position];
     sums.gradient += gradient;
     sums.volume += vs;
     sums.friction += vs * (meeting.other ? meeting.other->friction : structure.friction[p.soil_index]);
@@ -230,7 +230,7 @@ void ContactNodes::find(Ground& ground, const BodySurface& surface, const Vector
     }
   placed_ = true;
   for (ContactNode& c : nodes_)
-    c.arm = c.place - centre;
+    c.arm = c.position - centre;
   if (own == nullptr)
     bear_on(surface, centre, ground.finest_lattice().h);
 }
@@ -248,12 +248,12 @@ void ContactNodes::find_nodes(Ground& ground, const Meeting& meeting, std::span<
   auto known = before.begin();
   for (int j = window_.j0; j < window_.j0 + window_.rows; ++j)
     for (int i = window_.i0; i < window_.i0 + window_.columns; ++i) {
-      const std::size_t in_window = window_.place(i, j);
+      const std::size_t in_window = window_.index(i, j);
       const Sums& sums = sums_[in_window];
       if (sums.volume <= 0.0)
         continue;
       const std::size_t node = lattice.index(i, j);
-      const Vector place{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
+      const Vector position{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
       const bool at_edge = sums.surface > 0.0;
       const bool faint = reach_[in_window] == Reach::faint;
       if (faint && !at_edge)
@@ -278,7 +278,7 @@ void ContactNodes::find_nodes(Ground& ground, const Meeting& meeting, std::span<
       }
       found.key = key;
       found.node = node;
-      found.place = place;
+      found.position = position;
       if (body_node) {
         found.body_node = *body_node;
         found.body_mass = grid.mass[*body_node];
@@ -340,10 +340,11 @@ void ContactNode::find_changes() {
   const double drift = tangential_impulse / solid_mass / drag;
   const double solid_n = common - solid_normal;
   const double water_n = common - water_normal;
-  solid_change = solid_n * normal + along * t;
-  water_change = water_n * normal + (along + drift) * t;
+  solid_change = {solid_n * normal.x + along * t.x, solid_n * normal.y + along * t.y};
+  water_change = {water_n * normal.x + (along + drift) * t.x, water_n * normal.y + (along + drift) * t.y};
   if (body_mass > 0.0)
-    body_change = (normal_impulse * normal + tangential_impulse * t) / body_mass;
+    body_change = {(normal_impulse * normal.x + tangential_impulse * t.x) / body_mass,
+                   (normal_impulse * normal.y + tangential_impulse * t.y) / body_mass};
 }
 
 void ContactNodes::end_bonds(const ContactGaps& gaps, double h) {

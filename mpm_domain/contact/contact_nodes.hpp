@@ -61,7 +61,7 @@ struct ChangeByOthers {
 struct ContactNode : ContactPoint {
   NodeKey key;
   std::size_t node = 0; ///< of the soil, or of the elastic structure in its place
-  Vector place;
+  Vector position;
   double area = 0.0;                ///< A, of the interface per metre out of plane, m
   double gap = 0.0;                 ///< m; negative: they overlap
   double solid_mass = 0.0;          ///< m_s, kg/m
@@ -184,7 +184,7 @@ private:
   /// Contribution of a near particle to a node of the window within its reach.
   struct Entry {
     std::size_t near;
-    std::size_t place;
+    std::size_t position;
     double volume;   ///< V S, m2
     Vector gradient; ///< V grad S, m
   };

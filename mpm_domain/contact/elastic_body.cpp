@@ -53,8 +53,8 @@ std::vector<ElasticBody::Follower> ElasticBody::followers(std::span<const Vector
   return followers;
 }
 
-std::vector<Vector> ElasticBody::places(std::span<const Follower> followers, std::span<const Particles> sets,
-                                        double angle) {
+std::vector<Vector> ElasticBody::positions(std::span<const Follower> followers,
+                                           std::span<const Particles> sets, double angle) {
   const double s = std::sin(angle);
   const double c = std::cos(angle);
   std::vector<Vector> points;
@@ -111,8 +111,8 @@ void ElasticBody::follow(std::span<const Particles> sets, RigidBody& whole) {
   const double tilt = std::atan2(sine, cosine);
   whole.set_state({whole.start().x + moved.x, whole.start().y + moved.y, tilt, velocity.x, velocity.y,
                    angular_momentum / inertia});
-  surface_.place(places(of_surface_, sets, tilt));
-  hole_ = places(of_hole_, sets, tilt);
+  surface_.place(positions(of_surface_, sets, tilt));
+  hole_ = positions(of_hole_, sets, tilt);
 }
 
 } // namespace tremolo::mpm_domain

@@ -54,8 +54,8 @@ private:
   /// The particles next to points at the start.
   static std::vector<Follower> followers(std::span<const Vector> points, std::span<const Particles> sets);
   /// Their positions after a rotation by an angle (rad).
-  static std::vector<Vector> places(std::span<const Follower> followers, std::span<const Particles> sets,
-                                    double angle);
+  static std::vector<Vector> positions(std::span<const Follower> followers, std::span<const Particles> sets,
+                                       double angle);
 
   std::size_t number_;
   double mass_ = 0.0;

@@ -72,7 +72,7 @@ public:
   const std::vector<Vector>& outline() const { return surface_.points(); }
   /// Corners of its hole now.
   std::vector<Vector> hole() const;
-  Vector arm(const Vector& place) const { return place - centre_; }
+  Vector arm(const Vector& position) const { return position - centre_; }
 
   /// Weight and, with water around it, buoyancy.
   RigidLoad load(double gravity, const std::optional<WaterAround>& water) const;

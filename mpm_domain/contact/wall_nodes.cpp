@@ -18,11 +18,11 @@ void add_crossings(double a, double b, std::vector<double>& shares) {
 
 NodeWindow nodes_around(const Lattice& lattice, const mesh::Rectangle& box) {
   constexpr int margin = 2;
-  const auto first = [&](double place, double origin) {
-    return static_cast<int>(std::floor((place - origin) / lattice.h)) - margin;
+  const auto first = [&](double position, double origin) {
+    return static_cast<int>(std::floor((position - origin) / lattice.h)) - margin;
   };
-  const auto last = [&](double place, double origin) {
-    return static_cast<int>(std::ceil((place - origin) / lattice.h)) + margin;
+  const auto last = [&](double position, double origin) {
+    return static_cast<int>(std::ceil((position - origin) / lattice.h)) + margin;
   };
   const int i0 = std::max(0, first(box.x_min, lattice.x0));
   const int j0 = std::max(0, first(box.y_min, lattice.y0));
@@ -63,7 +63,7 @@ void find_wall(const BodySurface& surface, const Lattice& lattice, const NodeWin
             return std::max(0.0, 1.0 - std::abs(p.x - (i + di))) *
                    std::max(0.0, 1.0 - std::abs(p.y - (j + dj)));
           };
-          lengths[window.place(i + di, j + dj)] += piece * (hat(from) + 4.0 * hat(middle) + hat(to)) / 6.0;
+          lengths[window.index(i + di, j + dj)] += piece * (hat(from) + 4.0 * hat(middle) + hat(to)) / 6.0;
         }
     }
   }

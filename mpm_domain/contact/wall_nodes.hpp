@@ -23,7 +23,7 @@ struct NodeWindow {
 
   std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
   bool has(int i, int j) const { return i >= i0 && i < i0 + columns && j >= j0 && j < j0 + rows; }
-  std::size_t place(int i, int j) const {
+  std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j - j0) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(i - i0);
   }

@@ -35,20 +35,20 @@ std::map<PlaceInModel, NodeLoad> node_loads(Ground& ground) {
 
 HeldForces::HeldForces(const std::map<PlaceInModel, NodeLoad>& before,
                        const std::map<PlaceInModel, NodeLoad>& after) {
-  for (const auto& [place, now] : after) {
-    const auto found = before.find(place);
+  for (const auto& [position, now] : after) {
+    const auto found = before.find(position);
     const NodeLoad had = found == before.end() ? NodeLoad{now.mass, {}} : found->second;
     const double share = std::min(1.0, now.mass / had.mass);
     const Vector lacking = share * had.force - now.force;
     if (lacking.x != 0.0 || lacking.y != 0.0)
-      forces_[place] = lacking;
+      forces_[position] = lacking;
   }
 }
 
 template <class Act>
 void HeldForces::over_nodes(const Ground& ground, double share, const Act& act) const {
-  for (const auto& [place, force] : forces_) {
-    const auto& [level, i, j] = place;
+  for (const auto& [position, force] : forces_) {
+    const auto& [level, i, j] = position;
     const Lattice& lattice = ground.lattice(level);
     act(lattice.index(i + first_in_model(ground.spec.box.x_min, lattice.x0, lattice.h),
                       j + first_in_model(ground.spec.box.y_min, lattice.y0, lattice.h)),
@@ -85,9 +85,9 @@ double HeldForces::remap_power(const Ground& ground, double share) const {
 
 std::vector<double> HeldForces::state() const {
   std::vector<double> numbers;
-  for (const auto& [place, force] : forces_)
-    numbers.insert(numbers.end(), {static_cast<double>(place[0]), static_cast<double>(place[1]),
-                                   static_cast<double>(place[2]), force.x, force.y});
+  for (const auto& [position, force] : forces_)
+    numbers.insert(numbers.end(), {static_cast<double>(position[0]), static_cast<double>(position[1]),
+                                   static_cast<double>(position[2]), force.x, force.y});
   return numbers;
 }
 

@@ -35,14 +35,16 @@ public:
   }
 
 private:
-  std::int64_t along(double place) const { return static_cast<std::int64_t>(std::floor(place / square_)); }
+  std::int64_t along(double position) const {
+    return static_cast<std::int64_t>(std::floor(position / square_));
+  }
   static std::int64_t key(std::int64_t i, std::int64_t j) { return (i << 32) + j; }
 
   double square_;
   std::unordered_map<std::int64_t, std::vector<mesh::Rectangle>> boxes_;
 };
 
-Occupied places_of(const Ground& ground) {
+Occupied positions_of(const Ground& ground) {
   Occupied occupied(ground.lattice(0).h);
   for (const Particles& set : ground.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
@@ -85,14 +87,14 @@ struct Candidate {
 std::vector<Candidate> laid(const std::vector<Particles>& fill, const Region& region, Occupied occupied) {
   std::vector<Candidate> laid;
   std::vector<Candidate> under;
-  const auto place = [&](const Candidate& c) { return Vector{fill[c.set].x[c.k], fill[c.set].y[c.k]}; };
+  const auto position = [&](const Candidate& c) { return Vector{fill[c.set].x[c.k], fill[c.set].y[c.k]}; };
   for (std::size_t s = 0; s < fill.size(); ++s)
     for (std::size_t k = 0; k < fill[s].size(); ++k)
       if (const Vector at{fill[s].x[k], fill[s].y[k]}; !occupied.at(at))
         (mesh::inside(region.polygon, at.x, at.y) ? laid : under).push_back({s, k});
-  std::ranges::sort(under, {}, [&](const Candidate& c) { return place(c).y; });
+  std::ranges::sort(under, {}, [&](const Candidate& c) { return position(c).y; });
   for (const Candidate& c : under) {
-    const Vector at = place(c);
+    const Vector at = position(c);
     if (!occupied.at({at.x, at.y - 2.0 * fill[c.set].half_size}))
       continue; // nothing carries it
     occupied.add(box_of(fill[c.set], c.k));
@@ -108,7 +110,7 @@ std::vector<Particles> soil_to_place(const Ground& ground, const Region& region)
   const double smallest = particle_size(spec, ground.mesh ? ground.mesh->tree().finest() : 0);
   spec.regions = drawn_down(region, largest_settlement(ground), smallest);
   const std::vector<Particles> all = fill(spec, ground.head, ground.mesh ? &ground.mesh->tree() : nullptr);
-  std::vector<Candidate> kept = laid(all, region, places_of(ground));
+  std::vector<Candidate> kept = laid(all, region, positions_of(ground));
   std::ranges::sort(kept, {}, [](const Candidate& c) { return std::pair(c.set, c.k); });
   std::vector<Particles> placed;
   for (const Particles& set : all) {

@@ -17,8 +17,8 @@ namespace {
 /// Number of the square of the model's lattice that a particle stands in.
 std::int64_t square_of(const Particles& set, std::size_t k, const Box& box) {
   const double size = 2.0 * set.half_size;
-  const auto along = [size](double place, double origin) {
-    return static_cast<std::int64_t>(std::floor((place - origin) / size));
+  const auto along = [size](double position, double origin) {
+    return static_cast<std::int64_t>(std::floor((position - origin) / size));
   };
   constexpr std::int64_t rows = std::int64_t{1} << 31;
   return along(set.x[k], box.x_min) * rows + along(set.y[k], box.y_min);

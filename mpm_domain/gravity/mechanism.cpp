@@ -51,15 +51,15 @@ std::optional<Extent> extent_of(std::span<const MovingPoint> mechanism) {
     return std::nullopt;
   SurfaceLine surface(std::ranges::max_element(mechanism, {}, &MovingPoint::size)->size);
   for (const MovingPoint& point : mechanism)
-    surface.add(point.place, point.size);
+    surface.add(point.position, point.size);
   Extent extent{.x_min = INFINITY, .x_max = -INFINITY};
   for (const MovingPoint& point : mechanism) {
     if (!moves(point))
       continue;
     const double half = 0.5 * point.size;
-    extent.x_min = std::min(extent.x_min, point.place.x - half);
-    extent.x_max = std::max(extent.x_max, point.place.x + half);
-    const double depth = surface.at(point.place.x) - (point.place.y - half);
+    extent.x_min = std::min(extent.x_min, point.position.x - half);
+    extent.x_max = std::max(extent.x_max, point.position.x + half);
+    const double depth = surface.at(point.position.x) - (point.position.y - half);
     extent.depth = std::max(extent.depth, depth);
     extent.rows = std::max(extent.rows, depth / point.size);
   }

@@ -13,7 +13,7 @@ namespace tremolo::mpm_domain {
 
 /// A particle of soil of a model that fails.
 struct MovingPoint {
-  Vector place;                ///< m
+  Vector position;             ///< m
   double size = 0.0;           ///< a side of it, m
   Vector velocity;             ///< over that of the fastest particle, 1; 0 if none moves
   double plastic_strain = 0.0; ///< equivalent plastic deviatoric strain, 1; 0 for laws without

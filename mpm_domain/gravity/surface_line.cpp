@@ -6,9 +6,9 @@
 
 namespace tremolo::mpm_domain {
 
-void SurfaceLine::add(Vector place, double size) {
-  const double top = place.y + 0.5 * size;
-  const auto [column, is_new] = tops_.try_emplace(std::lround(std::floor(place.x / width_)), top);
+void SurfaceLine::add(Vector position, double size) {
+  const double top = position.y + 0.5 * size;
+  const auto [column, is_new] = tops_.try_emplace(std::lround(std::floor(position.x / width_)), top);
   column->second = std::max(column->second, top);
 }
 

@@ -3,7 +3,7 @@
 // The surface of soil over x: the top of the highest particle in each column that is as wide as the widest of
 // them.
 
-#include "mpm_domain/spec/vector.hpp"
+#include "base/vector.hpp"
 
 #include <map>
 
@@ -15,7 +15,7 @@ public:
   explicit SurfaceLine(double width) : width_(width) {}
 
   /// @param size  a side of the particle, m
-  void add(Vector place, double size);
+  void add(Vector position, double size);
 
   /// y at x, m; where two columns meet that of the lower one, and where there is no soil minus infinity.
   double at(double x) const;

@@ -8,14 +8,14 @@ namespace tremolo::mpm_domain {
 namespace {
 
 /// S and G that a part of a box adds to four nodes of its cell.
-FourWeights weights_of(const FourNodes& nodes, std::uint32_t four, std::uint32_t place, const BasisCell& cell,
-                       const BoxPart& part) {
+FourWeights weights_of(const FourNodes& nodes, std::uint32_t four, std::uint32_t position,
+                       const BasisCell& cell, const BoxPart& part) {
   const auto& [below_left, below_right, above_left, above_right] = nodes.corners;
   const auto& [share, xi, eta] = part;
   const double slope = share * cell.per_h;
   return {nodes.node,
           four,
-          place,
+          position,
           share * (1.0 - eta) * ((1.0 - xi) * below_left + xi * below_right) +
               share * eta * ((1.0 - xi) * above_left + xi * above_right),
           slope * ((1.0 - eta) * (below_right - below_left) + eta * (above_right - above_left)),
@@ -78,10 +78,10 @@ bool AcrossWeights::add(const BasisCells& table, const mesh::Rectangle& box) {
     if (!part)
       continue;
     covered += part->share;
-    std::uint32_t place = cells_[c].first_place;
-    for (std::uint32_t four = cell.first; four < cell.end; ++four, ++place) {
+    std::uint32_t position = cells_[c].first_place;
+    for (std::uint32_t four = cell.first; four < cell.end; ++four, ++position) {
       const FourNodes& nodes = table.four(four);
-      const FourWeights& w = weights_.emplace_back(weights_of(nodes, four, place, cell, *part));
+      const FourWeights& w = weights_.emplace_back(weights_of(nodes, four, position, cell, *part));
       const Lanes dx = nodes.x - x;
       const Lanes dy = nodes.y - y;
       dxx += w.s * dx * dx;

@@ -12,8 +12,8 @@ namespace tremolo::mpm_domain {
 /// Weights of four real nodes in the part of a particle's box that lies in one cell.
 struct FourWeights {
   std::array<std::uint32_t, 4> node;
-  std::uint32_t four;  ///< number in the table of cells, which knows where the nodes lie
-  std::uint32_t place; ///< index of that four in AcrossWeights::fours()
+  std::uint32_t four;     ///< number in the table of cells, which knows where the nodes lie
+  std::uint32_t position; ///< index of that four in AcrossWeights::fours()
   Lanes s;
   Lanes gx, gy; ///< 1/m
 };

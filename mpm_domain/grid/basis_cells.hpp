@@ -52,7 +52,7 @@ public:
   std::uint32_t number_of(const GradedMesh& mesh, const mesh::Cell& cell);
 
   const BasisCell& operator[](std::uint32_t number) const { return cells_[number]; }
-  const FourNodes& four(std::uint32_t place) const { return fours_[place]; }
+  const FourNodes& four(std::uint32_t position) const { return fours_[position]; }
 
 private:
   void add_nodes(const GradedMesh& mesh, const mesh::Cell& cell);

@@ -44,12 +44,12 @@ public:
   }
 
   void touch(std::size_t node) {
-    const auto [level, row, column] = place_of(node);
+    const auto [level, row, column] = position_of(node);
     part(level, row, column).extend(column, column);
   }
 
   bool holds(std::size_t node) {
-    const auto [level, row, column] = place_of(node);
+    const auto [level, row, column] = position_of(node);
     const Part& r = part(level, row, column);
     return r.first <= column && column <= r.last;
   }
@@ -91,7 +91,7 @@ private:
                                            column / tile_columns)];
   }
 
-  Place place_of(std::size_t node) const {
+  Place position_of(std::size_t node) const {
     int level = 0;
     while (node >= ground_.lattice(level).first + ground_.lattice(level).count())
       ++level;

@@ -75,7 +75,7 @@ void place_nodes(GroundMesh& mesh, const Spec& spec) {
   const HeadGrid& grid = mesh.grid;
   const double aside = mesh::alignment_tolerance(grid.h);
   for (std::size_t i = 0; i < grid.columns; ++i) {
-    const double x = grid.place(i, 0).x;
+    const double x = grid.position(i, 0).x;
     mesh.left_of.push_back(i > 0 ? ground_at(spec, x - aside) : spec.box.y_min);
     mesh.right_of.push_back(i + 1 < grid.columns ? ground_at(spec, x + aside) : spec.box.y_min);
     if (std::abs(mesh.left_of[i] - mesh.right_of[i]) < mesh.slack()) // a slope, and no wall
@@ -83,8 +83,8 @@ void place_nodes(GroundMesh& mesh, const Spec& spec) {
   }
   for (std::size_t j = 0; j < grid.rows; ++j)
     for (std::size_t i = 0; i < grid.columns; ++i) {
-      const Vector at = grid.place(i, j);
-      mesh.problem.nodes.push_back({at.x, at.y});
+      const Vector at = grid.position(i, j);
+      mesh.problem.nodes.push_back(at);
     }
   for (std::size_t i = 0; i < grid.columns; ++i)
     for (const double level : {std::min(mesh.left_of[i], mesh.right_of[i]), mesh.ground(i)})
@@ -116,7 +116,7 @@ void find_elements(GroundMesh& mesh, const Spec& spec) {
       seepage::Element element = element_of(mesh, i, j);
       if (element.corners < 3)
         continue;
-      seepage::Place centre;
+      Vector centre;
       for (std::size_t c = 0; c < element.corners; ++c) {
         centre.x += mesh.problem.nodes[element.nodes[c]].x / static_cast<double>(element.corners);
         centre.y += mesh.problem.nodes[element.nodes[c]].y / static_cast<double>(element.corners);

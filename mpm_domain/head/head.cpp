@@ -15,9 +15,9 @@ struct Along {
   double way;  ///< 0 to 1
   bool beyond; ///< the first or the last node
 };
-Along along(double place, double first, double h, std::size_t nodes) {
+Along along(double position, double first, double h, std::size_t nodes) {
   const double cells = static_cast<double>(nodes - 1);
-  const double at = (place - first) / h;
+  const double at = (position - first) / h;
   const double inside = std::clamp(at, 0.0, cells);
   const double before = std::min(std::floor(inside), cells - 1.0);
   return {static_cast<std::size_t>(before), inside - before, at != inside};

@@ -9,7 +9,7 @@
 // rest below a level table has one head. Below a line that is not level it has that of the line above, which
 // is not flow: nothing balances the force across. Steady flow has heads on a grid (seepage_of_ground.hpp).
 
-#include "mpm_domain/spec/vector.hpp"
+#include "base/vector.hpp"
 
 #include <variant>
 #include <vector>
@@ -23,7 +23,7 @@ struct HeadGrid {
   std::size_t columns = 0, rows = 0;
   std::vector<double> heads; ///< m
 
-  Vector place(std::size_t i, std::size_t j) const {
+  Vector position(std::size_t i, std::size_t j) const {
     return {x0 + static_cast<double>(i) * h, y0 + static_cast<double>(j) * h};
   }
   std::size_t node(std::size_t i, std::size_t j) const { return j * columns + i; }

@@ -106,7 +106,7 @@ bool extend(HeadGrid& grid, std::vector<unsigned char>& known, const From& from)
       for (std::size_t b = j > 0 ? j - 1 : 0; b <= std::min(j + 1, grid.rows - 1); ++b)
         for (std::size_t a = i > 0 ? i - 1 : 0; a <= std::min(i + 1, grid.columns - 1); ++a)
           if (before[grid.node(a, b)] != 0) {
-            sum += from(grid.node(a, b), grid.place(i, j));
+            sum += from(grid.node(a, b), grid.position(i, j));
             count += 1.0;
           }
       if (count == 0.0)
@@ -123,7 +123,7 @@ HeadGrid regular(const GroundMesh& mesh, const std::vector<double>& heads, const
                  const FreeWater& water) {
   const NodeSlopes slopes = slopes_of(mesh.problem, heads);
   const auto along_slope = [&](std::size_t n, const Vector& to) {
-    const seepage::Place& at = mesh.problem.nodes[n];
+    const Vector& at = mesh.problem.nodes[n];
     return heads[n] + dot(slopes.slope[n], {to.x - at.x, to.y - at.y});
   };
   HeadGrid grid = mesh.grid;
@@ -132,7 +132,7 @@ HeadGrid regular(const GroundMesh& mesh, const std::vector<double>& heads, const
   for (std::size_t j = 0; j < grid.rows; ++j)
     for (std::size_t i = 0; i < grid.columns; ++i)
       if (const std::size_t n = grid.node(i, j); slopes.area[n] > 0.0) {
-        grid.heads[n] = along_slope(n, grid.place(i, j));
+        grid.heads[n] = along_slope(n, grid.position(i, j));
         known[n] = 1;
       }
   extend(grid, known, along_slope);
@@ -149,7 +149,7 @@ HeadGrid regular(const GroundMesh& mesh, const std::vector<double>& heads, const
 void find_steepest_rise(const seepage::FlowProblem& problem, const std::vector<double>& heads,
                         SeepageFound& found) {
   for (const seepage::Element& element : problem.elements) {
-    seepage::Place centre;
+    Vector centre;
     double head = 0.0;
     for (std::size_t c = 0; c < element.corners; ++c) {
       const double share = 1.0 / static_cast<double>(element.corners);
@@ -161,7 +161,7 @@ void find_steepest_rise(const seepage::FlowProblem& problem, const std::vector<d
       continue;
     if (const double rise = -seepage::gradient(problem, element, heads).y; rise > found.steepest_rise) {
       found.steepest_rise = rise;
-      found.at = {centre.x, centre.y};
+      found.at = centre;
     }
   }
 }

@@ -127,18 +127,18 @@ struct Weights {
 /// zero.
 inline Weights gimp_weights(double x, const Axis& axis, double half_side) {
   const HalfSide<double> box(half_side, axis);
-  const double place = axis.cells(x);
-  const double base = std::floor(place - box.l);
-  const RowWeights<double> w(place - base, axis, box);
+  const double position = axis.cells(x);
+  const double base = std::floor(position - box.l);
+  const RowWeights<double> w(position - base, axis, box);
   return {static_cast<int>(base), Lanes{w.s[0], w.s[1], w.s[2], 0.0}, Lanes{w.g[0], w.g[1], w.g[2], 0.0}};
 }
 
 /// Weights from the node before the particle's cell on, of half side (m) at most h: the same four nodes for
 /// all particles of a cell.
 inline Weights cell_weights(double x, const Axis& axis, double half_side) {
-  const double place = axis.cells(x);
-  const double cell = std::floor(place);
-  const CellWeights<double> w(place - cell, axis, HalfSide<double>(half_side, axis));
+  const double position = axis.cells(x);
+  const double cell = std::floor(position);
+  const CellWeights<double> w(position - cell, axis, HalfSide<double>(half_side, axis));
   return {static_cast<int>(cell) - 1, Lanes{w.s[0], w.s[1], w.s[2], w.s[3]},
           Lanes{w.g[0], w.g[1], w.g[2], w.g[3]}};
 }

@@ -128,7 +128,7 @@ void LiningBody::take_soils(const Ground& ground) {
     for (std::size_t n = 0; !alike && n < near_.size(); ++n) {
       const Particles& p = ground.sets[near_[n].set];
       const std::size_t k = near_[n].index;
-      if (const double d2 = square(Vector{p.x[k], p.y[k]} - of.place); d2 < least) {
+      if (const double d2 = square(Vector{p.x[k], p.y[k]} - of.position); d2 < least) {
         least = d2;
         soil = p.soil_index;
       }
@@ -144,7 +144,7 @@ void LiningBody::find_segments(const Ground& ground) {
 }
 
 std::vector<double> LiningBody::water_loads(const Ground& ground) const {
-  std::vector<double> forces(beam_.places().size(), 0.0);
+  std::vector<double> forces(beam_.positions().size(), 0.0);
   add_rest_pressure(ground, surface_.points(), beam_, forces);
   return forces;
 }
@@ -302,7 +302,7 @@ double LiningBody::relax(Ground& ground, double keep, double gain, double dt, bo
 }
 
 void LiningBody::end_rest() {
-  beam_.set_velocities(std::vector<double>(beam_.places().size(), 0.0));
+  beam_.set_velocities(std::vector<double>(beam_.positions().size(), 0.0));
 }
 
 void LiningBody::carry_over(const LiningBody& before, const Ground& model_before) {

@@ -167,8 +167,12 @@ std::vector<NodeChange> LiningContact::stopped(std::span<const SegmentRows> rows
   }
   const std::vector<double> along = soil_.stop(closing, stopped);
   std::vector<Vector> impulses;
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    impulses.push_back(along[2 * k] * rows[k].normal + along[2 * k + 1] * rows[k].tangent());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Vector n = rows[k].normal;
+    const Vector t = rows[k].tangent();
+    impulses.push_back(
+        {along[2 * k] * n.x + along[2 * k + 1] * t.x, along[2 * k] * n.y + along[2 * k + 1] * t.y});
+  }
   return soil_.changes(impulses, soil);
 }
 

@@ -20,7 +20,7 @@ struct PointShares {
   std::array<NodeShare, 4> nodes; ///< of the cell; as many as `count`
   std::size_t count = 0;
   double sum = 0.0; ///< sum c_I N_I
-  Vector place;     ///< X'
+  Vector position;  ///< X'
 };
 
 /// @param per_mass  1/(mass from which a node counts), m/kg
@@ -40,9 +40,9 @@ PointShares shares_at(const Vector& at, const Lattice& lattice, std::span<const 
         continue;
       shares.nodes[shares.count++] = {node, hat};
       shares.sum += hat;
-      shares.place += hat * Vector{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
+      shares.position += hat * Vector{lattice.x0 + i * lattice.h, lattice.y0 + j * lattice.h};
     }
-  shares.place = shares.place / shares.sum;
+  shares.position = shares.position / shares.sum;
   return shares;
 }
 
@@ -55,12 +55,12 @@ std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& bea
   all.reserve(surface.segments().size());
   for (std::size_t s = 0; s < surface.segments().size(); ++s) {
     const SurfaceSegment& segment = surface.segments()[s];
-    SegmentRows rows{.segment = s, .soil = {}, .beam = {}, .normal = {}, .place = {}};
+    SegmentRows rows{.segment = s, .soil = {}, .beam = {}, .normal = {}, .position = {}};
     rows.soil.reserve(usual_nodes);
     rows.beam.reserve(usual_freedoms);
     double counted = 0.0; // points
     for (const SurfacePoint& point : segment.points) {
-      const PointShares shares = shares_at(place(point, beam), lattice, mass, per_mass);
+      const PointShares shares = shares_at(position_of(point, beam), lattice, mass, per_mass);
       if (shares.sum < least_soil)
         continue;
       counted += 1.0;
@@ -70,8 +70,8 @@ std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& bea
           found = rows.soil.insert(found, {of_node.node, 0.0});
         found->share += of_node.share / shares.sum;
       }
-      add_velocity(point, shares.place, 1.0, beam, rows.beam);
-      rows.place += shares.place;
+      add_velocity(point, shares.position, 1.0, beam, rows.beam);
+      rows.position += shares.position;
     }
     if (counted == 0.0)
       continue;
@@ -79,7 +79,7 @@ std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& bea
       of_node.share /= counted;
     for (BeamShare& of_beam : rows.beam)
       of_beam.velocity = of_beam.velocity / counted;
-    rows.place = rows.place / counted;
+    rows.position = rows.position / counted;
     rows.normal = normal(segment, beam);
     all.push_back(std::move(rows));
   }
@@ -89,14 +89,14 @@ std::vector<SegmentRows> find_rows(const LiningSurface& surface, const Beam& bea
 Vector soil_velocity(const SegmentRows& rows, std::span<const double> wx, std::span<const double> wy) {
   Vector velocity{};
   for (const auto& [node, share] : rows.soil)
-    velocity += share * Vector{wx[node], wy[node]};
+    velocity = {velocity.x + share * wx[node], velocity.y + share * wy[node]};
   return velocity;
 }
 
 Vector beam_velocity(const SegmentRows& rows, std::span<const double> v) {
   Vector velocity{};
   for (const auto& [dof, of_one] : rows.beam)
-    velocity += v[dof] * of_one;
+    velocity = {velocity.x + v[dof] * of_one.x, velocity.y + v[dof] * of_one.y};
   return velocity;
 }
 

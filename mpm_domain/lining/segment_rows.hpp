@@ -31,7 +31,7 @@ struct SegmentRows {
   std::vector<NodeShare> soil; ///< B
   std::vector<BeamShare> beam; ///< H
   Vector normal;               ///< from soil to lining
-  Vector place;                ///< of the impulse, m
+  Vector position;             ///< of the impulse, m
 
   Vector tangent() const { return {-normal.y, normal.x}; }
 };

@@ -40,18 +40,18 @@ void SegmentSoil::take_members(std::span<const SegmentRows> rows) {
       most = std::max(most, at.node);
     }
   // Counted node by node, which is cheaper than to sort them.
-  std::vector<std::uint32_t> place(most < least ? 0 : most - least + 1, 0);
+  std::vector<std::uint32_t> position(most < least ? 0 : most - least + 1, 0);
   std::size_t count = 0;
   for (const SegmentRows& of : rows)
     for (const NodeShare& at : of.soil) {
-      ++place[at.node - least];
+      ++position[at.node - least];
       ++count;
     }
-  std::exclusive_scan(place.begin(), place.end(), place.begin(), std::uint32_t{0});
+  std::exclusive_scan(position.begin(), position.end(), position.begin(), std::uint32_t{0});
   members_.resize(count);
   for (std::size_t row = 0; row < rows_; ++row)
     for (const auto& [node, share] : rows[row].soil)
-      members_[place[node - least]++] = {node, row, share};
+      members_[position[node - least]++] = {node, row, share};
 }
 
 SegmentSoil::SegmentSoil(std::span<const SegmentRows> rows, const SoilMotion& soil) : rows_(rows.size()) {

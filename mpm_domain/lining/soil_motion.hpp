@@ -10,7 +10,7 @@
 //
 // as at rigid bodies (contact/impulses/rigid_contact.hpp). Both changes together have the momentum j.
 
-#include "mpm_domain/spec/vector.hpp"
+#include "base/vector.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ struct NodeFlow {
     const Vector t = tangent();
     const double across = dot(normal, impulse) / mass();
     const double along = dot(t, impulse) / mass() * (1.0 + water_mass / solid_mass / drag);
-    return across * normal + along * t;
+    return {across * normal.x + along * t.x, across * normal.y + along * t.y};
   }
   /// dv_f, m/s.
   Vector of_water(const Vector& impulse) const {

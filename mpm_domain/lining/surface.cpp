@@ -44,7 +44,7 @@ struct Ends {
   Vector a, b;
 
   Ends(const Beam& beam, std::size_t element) {
-    const auto q = beam.places();
+    const auto q = beam.positions();
     const auto& dofs = beam.elements()[element].dofs;
     a = {q[dofs[0]], q[dofs[1]]};
     b = {q[dofs[3]], q[dofs[4]]};
@@ -60,7 +60,7 @@ SurfacePoint carried(const Vector& at, std::size_t element, const Beam& beam) {
 
 /// A place on the outline, the normal there, into the body, and the number of its edge.
 struct RunPlace {
-  Vector place, normal;
+  Vector position, normal;
   std::size_t edge;
 };
 
@@ -124,7 +124,7 @@ LiningSurface::LiningSurface(const Lining& lining, const Beam& beam, double cell
       for (std::size_t q = 0; q < segment.points.size(); ++q) {
         const double share = (static_cast<double>(q) + 0.5) / static_cast<double>(segment.points.size());
         const RunPlace on = run.at((static_cast<double>(s) + share) * length);
-        segment.points[q] = carried(on.place, on.edge % beam.elements().size(), beam);
+        segment.points[q] = carried(on.position, on.edge % beam.elements().size(), beam);
         facing += on.normal;
       }
       segment.carrier = run.at((static_cast<double>(s) + 0.5) * length).edge % beam.elements().size();
@@ -139,7 +139,7 @@ LiningSurface::LiningSurface(const Lining& lining, const Beam& beam, double cell
 std::vector<Vector> LiningSurface::corners(const Beam& beam) const {
   std::vector<Vector> now;
   for (const SurfacePoint& corner : corners_)
-    now.push_back(place(corner, beam));
+    now.push_back(position_of(corner, beam));
   return now;
 }
 
@@ -172,7 +172,7 @@ Vector foot(const SurfacePoint& point, const Beam& beam) {
   return between(ends.a, ends.b, point.along);
 }
 
-Vector place(const SurfacePoint& point, const Beam& beam) {
+Vector position_of(const SurfacePoint& point, const Beam& beam) {
   return foot(point, beam) + turned(beam.place_of_element(point.element).axis, point.arm);
 }
 

@@ -63,7 +63,7 @@ private:
 BeamShape shape_of(const Lining& lining);
 
 /// Present position of a point of the surface.
-Vector place(const SurfacePoint& point, const Beam& beam);
+Vector position_of(const SurfacePoint& point, const Beam& beam);
 /// The foot of a point on the beam's axis.
 Vector foot(const SurfacePoint& point, const Beam& beam);
 /// The normal of a segment now, from soil to lining.

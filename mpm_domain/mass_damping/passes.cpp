@@ -23,9 +23,9 @@ public:
       values_.push_back(spec.rock_motion(x0_ + static_cast<double>(i) * h_, time));
   }
   Vector at(double x) const {
-    const double place = std::clamp((x - x0_) / h_, 0.0, static_cast<double>(values_.size() - 1));
-    const std::size_t i = std::min(static_cast<std::size_t>(place), values_.size() - 2);
-    const double s = place - static_cast<double>(i);
+    const double position = std::clamp((x - x0_) / h_, 0.0, static_cast<double>(values_.size() - 1));
+    const std::size_t i = std::min(static_cast<std::size_t>(position), values_.size() - 2);
+    const double s = position - static_cast<double>(i);
     const Vector a = values_[i], b = values_[i + 1];
     return {std::lerp(a.x, b.x, s), std::lerp(a.y, b.y, s)};
   }

@@ -215,18 +215,19 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec,
     const Place* above = nullptr;
     std::sort(column.begin(), column.end(), [](const Place& a, const Place& b) { return a.y > b.y; });
     double overburden = 0.0;
-    for (const Place& place : column) {
-      Particles& set = *place.set;
+    for (const Place& position : column) {
+      Particles& set = *position.set;
       for (const auto& [top, bottom] : cavities)
         if (const double middle = 0.5 * (top + bottom);
-            above != nullptr && above->y > middle && place.y < middle)
+            above != nullptr && above->y > middle && position.y < middle)
           overburden += above->set->weight_share * above->set->density * spec.gravity * (top - bottom);
-      above = &place;
+      above = &position;
       const double rising =
-          set.traits.seeping ? set.water->unit_weight * set.volume[place.k] * set.head_slope_y[place.k] : 0.0;
+          set.traits.seeping ? set.water->unit_weight * set.volume[position.k] * set.head_slope_y[position.k]
+                             : 0.0;
       const double weight =
-          (set.weight_share * set.mass[place.k] * spec.gravity + rising) / (2.0 * set.half_size);
-      set.syy[place.k] -= (overburden + 0.5 * weight) / static_cast<double>(1 << (finest - set.level));
+          (set.weight_share * set.mass[position.k] * spec.gravity + rising) / (2.0 * set.half_size);
+      set.syy[position.k] -= (overburden + 0.5 * weight) / static_cast<double>(1 << (finest - set.level));
       overburden += weight;
     }
   }

@@ -80,7 +80,7 @@ std::vector<Particles> fill_bodies(const Spec& spec, const std::optional<Head>& 
     const std::array holes{structure.hole};
     const auto [left, right] = std::ranges::minmax(structure.outline, {}, &Vector::x);
     const auto [low, high] = std::ranges::minmax(structure.outline, {}, &Vector::y);
-    const auto first = [&](double place, double origin) { return std::floor((place - origin) / size); };
+    const auto first = [&](double position, double origin) { return std::floor((position - origin) / size); };
     for (double j = first(low.y, spec.box.y_min); spec.box.y_min + j * size < high.y; ++j)
       for (double i = first(left.x, spec.box.x_min); spec.box.x_min + i * size < right.x; ++i) {
         const double x = spec.box.x_min + (i + 0.5) * size;

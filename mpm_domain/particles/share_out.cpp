@@ -103,12 +103,12 @@ std::vector<double> unpack(Particles& set, std::size_t blocks, const std::vector
     besides.insert(besides.end(), state + set.state_size, state + set.state_size + more);
   }
   std::partial_sum(set.block_start.begin(), set.block_start.end(), set.block_start.begin());
-  std::size_t place = 1;
+  std::size_t position = 1;
   set.for_fields([&](const ParticleFieldDescription&, std::vector<double>& values) {
     values.resize(all.size());
     for (std::size_t k = 0; k < all.size(); ++k)
-      values[k] = all[k].numbers[place];
-    ++place;
+      values[k] = all[k].numbers[position];
+    ++position;
   });
   return besides;
 }
@@ -172,9 +172,10 @@ std::vector<mesh::Rectangle> boxes_of_ties(const Ground& ground) {
   if (!ground.mesh)
     return boxes;
   const auto add = [&](std::size_t node) {
-    const NodePlace place = ground.place_of(node);
-    const double reach = 4.0 * ground.lattice(place.level).h; // two cells of the coarser lattice, or four
-    boxes.push_back({place.at.x - reach, place.at.y - reach, place.at.x + reach, place.at.y + reach});
+    const NodePosition position = ground.position_of(node);
+    const double reach = 4.0 * ground.lattice(position.level).h; // two cells of the coarser lattice, or four
+    boxes.push_back(
+        {position.at.x - reach, position.at.y - reach, position.at.x + reach, position.at.y + reach});
   };
   const Prolongation& ties = ground.ties();
   for (std::size_t row = 0; row < ties.tied_count(); ++row) {

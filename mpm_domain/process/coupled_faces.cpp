@@ -8,9 +8,13 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
+Vector mixed(Vector a, Vector b, double s) {
+  return {(1.0 - s) * a.x + s * b.x, (1.0 - s) * a.y + s * b.y};
+}
+
 eq6::FreeField mixed(const eq6::FreeField& a, const eq6::FreeField& b, double s) {
   const auto of = [s](double p, double q) { return (1.0 - s) * p + s * q; };
-  return {(1.0 - s) * a.velocity + s * b.velocity,
+  return {mixed(a.velocity, b.velocity, s),
           {of(a.stress.xx, b.stress.xx), of(a.stress.yy, b.stress.yy), of(a.stress.xy, b.stress.xy)}};
 }
 

@@ -29,17 +29,9 @@ std::vector<materials::Law> finer_laws(const scene::Soil& soil, const scene::Mes
   return laws;
 }
 
-std::vector<Vector> corners_of(const scene::Polygon& polygon) {
-  std::vector<Vector> corners;
-  for (const scene::Point& point : polygon)
-    corners.push_back({point.x, point.y});
-  return corners;
-}
-
 GroundWater copy_of(const scene::GroundWater& water) {
-  GroundWater copy{.level = water.level, .fluid = water.fluid, .still_wet = water.still_wet};
-  for (const scene::Point& corner : water.line)
-    copy.line.push_back({corner.x, corner.y});
+  GroundWater copy{
+      .level = water.level, .fluid = water.fluid, .line = water.line, .still_wet = water.still_wet};
   if (water.seepage)
     copy.seepage = {water.seepage->left, water.seepage->right};
   return copy;
@@ -60,8 +52,8 @@ void copy_contact(const std::vector<scene::SoilContact>& soils, Body& copy) {
 
 Structure structure_of(const scene::Structure& structure) {
   Structure copy{.name = structure.name,
-                 .outline = corners_of(structure.outline.corners),
-                 .hole = structure.hole ? corners_of(structure.hole->corners) : std::vector<Vector>{},
+                 .outline = structure.outline.corners,
+                 .hole = structure.hole ? structure.hole->corners : std::vector<Vector>{},
                  .density = structure.density,
                  .stiffness = structure.stiffness,
                  .friction_between = structure.friction};
@@ -72,7 +64,7 @@ Structure structure_of(const scene::Structure& structure) {
 Lining lining_of(const scene::Lining& lining, double cell_size) {
   const scene::BeamOutline outline = scene::beam_outline(lining, cell_size);
   Lining copy{.name = lining.name,
-              .outline = corners_of(outline.corners),
+              .outline = outline.corners,
               .thickness = lining.thickness,
               .section = lining.section,
               .hinges = outline.hinges,
@@ -85,14 +77,12 @@ Lining lining_of(const scene::Lining& lining, double cell_size) {
 Section section_of(const scene::Case& scene, const scene::Section& section) {
   Section copy{section.name, scene.structures[*section.structure].name, {}};
   for (const scene::SectionCut& cut : scene::cuts_of(scene, section))
-    copy.cuts.push_back({{cut.line.from.x, cut.line.from.y}, {cut.line.to.x, cut.line.to.y}});
+    copy.cuts.push_back({cut.line.from, cut.line.to});
   return copy;
 }
 
 std::vector<Prop> props_of(const std::vector<scene::Prop>& props) {
-  const auto end = [](const scene::Prop::End& of) {
-    return PropFastening{of.structure, {of.place.x, of.place.y}};
-  };
+  const auto end = [](const scene::Prop::End& of) { return PropFastening{of.structure, of.position}; };
   std::vector<Prop> copies;
   for (const scene::Prop& prop : props)
     copies.push_back(
@@ -103,7 +93,7 @@ std::vector<Prop> props_of(const std::vector<scene::Prop>& props) {
 std::vector<Region> regions_of(const std::vector<scene::Region>& regions) {
   std::vector<Region> copies;
   for (const scene::Region& region : regions)
-    copies.push_back({region.soil, corners_of(region.polygon), region.cuts});
+    copies.push_back({region.soil, region.polygon, region.cuts});
   return copies;
 }
 
@@ -173,7 +163,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   for (const scene::LoadStage& load : scene.loads) {
     const auto grows = load.start ? std::optional(growth(*load.start, *load.ramp)) : std::nullopt;
     if (load.on_structure())
-      spec.structure_loads.push_back({load.structure, {load.force.x, load.force.y}, grows});
+      spec.structure_loads.push_back({load.structure, load.force, grows});
     else
       spec.loads.push_back({load.x_min, load.x_max, load.pressure, load.shear, grows});
   }
@@ -200,11 +190,7 @@ Spec spec_from_case(const scene::Case& scene, int threads) {
   spec.layer_cells = scene.mesh.layer_cells;
   for (const Side side : {Side::left, Side::right, Side::base})
     if (const auto springs = scene::springs(scene, side))
-      spec.springs.push_back({side,
-                              springs->across,
-                              springs->along,
-                              {springs->centre.x, springs->centre.y},
-                              springs->lags,
+      spec.springs.push_back({side, springs->across, springs->along, springs->centre, springs->lags,
                               side == Side::base && base.form == scene::BaseForm::incident});
   spec.below_base = scene::ground_below_base(scene);
   spec.threads = threads;

@@ -24,14 +24,14 @@ struct Near {
 };
 
 /// Particles of some sets whose middles lie within a cell and one of their own sides.
-std::vector<Near> particles_around(const Vector& place, const Ground& ground, std::size_t first,
+std::vector<Near> particles_around(const Vector& position, const Ground& ground, std::size_t first,
                                    std::size_t end) {
   std::vector<Near> near;
   bool touches = false;
   for (std::size_t s = first; s < end; ++s) {
     const Particles& set = ground.sets[s];
     for (std::size_t k = 0; k < set.size(); ++k) {
-      const double distance = std::hypot(set.x[k] - place.x, set.y[k] - place.y);
+      const double distance = std::hypot(set.x[k] - position.x, set.y[k] - position.y);
       if (distance < set.cell_size + 2.0 * set.half_size)
         near.push_back({s, k});
       touches = touches || distance < 2.0 * set.half_size;
@@ -40,7 +40,7 @@ std::vector<Near> particles_around(const Vector& place, const Ground& ground, st
   return touches ? near : std::vector<Near>{};
 }
 
-Eigen::Vector2d place_of(const Near& near, const Ground& ground) {
+Eigen::Vector2d position_of(const Near& near, const Ground& ground) {
   const Particles& set = ground.sets[near.set];
   return {set.x[near.k], set.y[near.k]};
 }
@@ -49,7 +49,7 @@ Eigen::Vector2d place_of(const Near& near, const Ground& ground) {
 
 FastenedEnd::FastenedEnd(const PropFastening& fastening, Ground& ground, const Contact& contact) {
   if (fastening.structure.empty()) {
-    hold_particles(fastening.place, ground, 0, ground.soil_sets);
+    hold_particles(fastening.position, ground, 0, ground.soil_sets);
     return;
   }
   const std::vector<Structure>& structures = ground.spec.structures;
@@ -62,21 +62,22 @@ FastenedEnd::FastenedEnd(const PropFastening& fastening, Ground& ground, const C
         structures.begin(), found, [](const Structure& one) { return one.stiffness.has_value(); }));
     const std::span<const Particles> of_body = ground.sets_of_body(number);
     const auto first = static_cast<std::size_t>(of_body.data() - ground.sets.data());
-    hold_particles(fastening.place, ground, first, first + of_body.size());
+    hold_particles(fastening.position, ground, first, first + of_body.size());
     return;
   }
   body_ = static_cast<std::size_t>(found - structures.begin());
   const RigidBody& body = contact.bodies()[*body_];
-  arm_ = fastening.place - body.start();
+  arm_ = fastening.position - body.start();
   mobility_ = 1.0 / body.mass() + square(arm_) / body.inertia();
 }
 
-void FastenedEnd::hold_particles(const Vector& place, Ground& ground, std::size_t first_set,
+void FastenedEnd::hold_particles(const Vector& position, Ground& ground, std::size_t first_set,
                                  std::size_t end_set) {
-  const std::vector<Near> near = particles_around(place, ground, first_set, end_set);
+  const std::vector<Near> near = particles_around(position, ground, first_set, end_set);
   const auto refuse = [&](const char* what) {
-    throw std::invalid_argument(fmt::format(
-        "a prop is fastened at ({:.6g}, {:.6g}) m, where there is {} to hold on to", place.x, place.y, what));
+    throw std::invalid_argument(
+        fmt::format("a prop is fastened at ({:.6g}, {:.6g}) m, where there is {} to hold on to", position.x,
+                    position.y, what));
   };
   if (near.empty())
     refuse("nothing");
@@ -84,20 +85,20 @@ void FastenedEnd::hold_particles(const Vector& place, Ground& ground, std::size_
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   for (const Near& one : near) {
     mass += ground.sets[one.set].mass[one.k];
-    centroid += ground.sets[one.set].mass[one.k] * place_of(one, ground);
+    centroid += ground.sets[one.set].mass[one.k] * position_of(one, ground);
   }
   centroid /= mass;
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const Near& one : near) {
-    const Eigen::Vector2d from = place_of(one, ground) - centroid;
+    const Eigen::Vector2d from = position_of(one, ground) - centroid;
     spread += ground.sets[one.set].mass[one.k] / mass * from * from.transpose();
   }
   if (!(spread.determinant() > 1e-6 * spread.trace() * spread.trace()))
     refuse("a single row of particles");
-  const Eigen::Vector2d slope = spread.inverse() * (Eigen::Vector2d(place.x, place.y) - centroid);
+  const Eigen::Vector2d slope = spread.inverse() * (Eigen::Vector2d(position.x, position.y) - centroid);
   for (const Near& one : near) {
     const Particles& set = ground.sets[one.set];
-    const double share = set.mass[one.k] / mass * (1.0 + slope.dot(place_of(one, ground) - centroid));
+    const double share = set.mass[one.k] / mass * (1.0 + slope.dot(position_of(one, ground) - centroid));
     held_.push_back({one.set, set.id[one.k], share, set.x[one.k]});
     mobility_ += share * share / set.mass[one.k];
     keep_whole(ground, one.set, set.id[one.k]);
@@ -110,20 +111,20 @@ Vector FastenedEnd::arm(const RigidBody& body) const {
   return {c * arm_.x - s * arm_.y, s * arm_.x + c * arm_.y};
 }
 
-Vector FastenedEnd::place(const Ground& ground, const Contact& contact) const {
+Vector FastenedEnd::position(const Ground& ground, const Contact& contact) const {
   if (body_)
     return contact.bodies()[*body_].centre() + arm(contact.bodies()[*body_]);
   const double period = ground.spec.box.x_max - ground.spec.box.x_min;
-  Vector place;
+  Vector position;
   for (const Held& one : held_) {
     const Particles& set = ground.sets[one.set];
     const std::size_t k = set.index_of[one.id];
     double x = set.x[k];
     if (ground.spec.periodic()) // where it would be had it not come in again on the other side
       x -= period * std::round((x - one.start_x) / period);
-    place += one.share * Vector{x, set.y[k]};
+    position += one.share * Vector{x, set.y[k]};
   }
-  return place;
+  return position;
 }
 
 std::optional<mesh::Rectangle> FastenedEnd::bounds(const Ground& ground) const {

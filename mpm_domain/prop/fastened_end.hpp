@@ -34,7 +34,7 @@ public:
   FastenedEnd(const PropFastening& fastening, Ground& ground, const Contact& contact);
 
   /// Present position of the end, m.
-  Vector place(const Ground& ground, const Contact& contact) const;
+  Vector position(const Ground& ground, const Contact& contact) const;
   /// Around the particles that it holds; none: it is on a rigid body.
   std::optional<mesh::Rectangle> bounds(const Ground& ground) const;
   /// Finds the nodes that it pulls at, for the particles' present places.
@@ -57,7 +57,7 @@ private:
     double start_x; ///< m
   };
 
-  void hold_particles(const Vector& place, Ground& ground, std::size_t first_set, std::size_t end_set);
+  void hold_particles(const Vector& position, Ground& ground, std::size_t first_set, std::size_t end_set);
   Vector arm(const RigidBody& body) const;
 
   std::optional<std::size_t> body_; ///< rigid

@@ -16,7 +16,7 @@ namespace {
 using Placed = Props::Placed;
 
 Vector way(const Placed& prop, const Ground& ground, const Contact& contact) {
-  return prop.to.place(ground, contact) - prop.from.place(ground, contact);
+  return prop.to.position(ground, contact) - prop.from.position(ground, contact);
 }
 
 /// d
@@ -32,7 +32,7 @@ void add_load(const FastenedEnd& end, const Vector& force, const Ground& ground,
     return;
   RigidLoad& load = loads[*end.body()];
   load.force += force;
-  load.moment += cross(contact.bodies()[*end.body()].arm(end.place(ground, contact)), force);
+  load.moment += cross(contact.bodies()[*end.body()].arm(end.position(ground, contact)), force);
 }
 
 void add_loads(const Placed& prop, const Ground& ground, const Contact& contact,
@@ -54,10 +54,10 @@ Props::Props(Ground& ground, const Contact& contact) {
     Placed& placed =
         all_.emplace_back(Placed{prop.name, FastenedEnd(prop.from, ground, contact),
                                  FastenedEnd(prop.to, ground, contact), Spring(prop), 0.0, prop.prestress});
-    placed.length = std::sqrt(square(prop.to.place - prop.from.place));
+    placed.length = std::sqrt(square(prop.to.position - prop.from.position));
     if (!(placed.length > 0.0))
       throw std::invalid_argument(fmt::format("prop '{}' has both ends at ({:.6g}, {:.6g}) m", prop.name,
-                                              prop.from.place.x, prop.from.place.y));
+                                              prop.from.position.x, prop.from.position.y));
   }
 }
 

@@ -42,7 +42,7 @@ struct Passing {
 };
 
 /// Adds the contribution of a particle.
-void add(Passing& to, const Particles& p, std::size_t k, const Lattice& lattice, const CutPlace& cut) {
+void add(Passing& to, const Particles& p, std::size_t k, const Lattice& lattice, const CutPosition& cut) {
   const Vector sides = half_sides(p, k);
   const Weights wx = weights_along(p.x[k], lattice.x0, lattice.h, sides.x);
   const Weights wy = weights_along(p.y[k], lattice.y0, lattice.h, sides.y);
@@ -81,7 +81,7 @@ Cut::Cut(const CutLine& line, std::span<const Particles> sets, double h)
   if (!(length_ > 0.0))
     throw std::invalid_argument(
         fmt::format("a cut at ({:.6g}, {:.6g}) has no length", line.from.x, line.from.y));
-  const CutPlace start{middle(line), unit(line), 0.0};
+  const CutPosition start{middle(line), unit(line), 0.0};
   for (std::size_t s = 0; s < sets.size(); ++s)
     for (std::size_t k = 0; k < sets[s].size(); ++k) {
       const Vector offset = Vector{sets[s].x[k], sets[s].y[k]} - start.middle;
@@ -98,7 +98,7 @@ Cut::Cut(const CutLine& line, std::span<const Particles> sets, double h)
                     line.from.x, line.from.y, line.to.x, line.to.y));
 }
 
-CutPlace Cut::place(std::span<const Particles> sets, double back) const {
+CutPosition Cut::position(std::span<const Particles> sets, double back) const {
   const auto at = [&](const Neighbour& guide) {
     const Particles& set = sets[guide.set];
     const std::size_t k = set.index_of[guide.id];
@@ -130,7 +130,7 @@ CutPlace Cut::place(std::span<const Particles> sets, double back) const {
 }
 
 SectionForces Cut::forces(std::span<const Particles> sets, const Lattice& lattice) const {
-  const CutPlace cut = place(sets);
+  const CutPosition cut = position(sets);
   Passing passing;
   for (const Neighbour& one : bearing_)
     add(passing, sets[one.set], sets[one.set].index_of[one.id], lattice, cut);

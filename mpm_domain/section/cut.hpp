@@ -36,7 +36,7 @@ struct Lattice;
 struct Particles;
 
 /// Position of a cut.
-struct CutPlace {
+struct CutPosition {
   Vector middle; ///< x_c, m
   Vector along;  ///< t
   double turn;   ///< since the start, counter-clockwise, rad
@@ -56,7 +56,7 @@ public:
   const CutLine& line() const { return line_; }
   /// @param sets  as before
   /// @param back  before the present time, s: particles are taken back along their velocities
-  CutPlace place(std::span<const Particles> sets, double back = 0.0) const;
+  CutPosition position(std::span<const Particles> sets, double back = 0.0) const;
   /// @param lattice  of the body
   SectionForces forces(std::span<const Particles> sets, const Lattice& lattice) const;
 

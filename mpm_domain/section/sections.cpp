@@ -34,8 +34,8 @@ Sections::Sections(const Ground& ground) {
   }
 }
 
-CutPlace place(const Ground& ground, const BodySection& section, std::size_t cut, double back) {
-  return section.cuts[cut].place(ground.sets_of_body(section.body), back);
+CutPosition position_of(const Ground& ground, const BodySection& section, std::size_t cut, double back) {
+  return section.cuts[cut].position(ground.sets_of_body(section.body), back);
 }
 
 SectionForces forces(const Ground& ground, const BodySection& section, std::size_t cut) {

@@ -34,7 +34,7 @@ private:
 };
 
 /// Position of a cut some seconds before the present.
-CutPlace place(const Ground& ground, const BodySection& section, std::size_t cut, double back);
+CutPosition position_of(const Ground& ground, const BodySection& section, std::size_t cut, double back);
 
 /// The forces that pass through it, with the present stresses.
 SectionForces forces(const Ground& ground, const BodySection& section, std::size_t cut);

@@ -7,7 +7,7 @@
 // with masses rho t along its length and rho t^3/12 in rotation. The factor 5/6 is that of a rectangle whose
 // shear stress is a parabola (Reissner 1945).
 
-#include "mpm_domain/spec/vector.hpp"
+#include "base/vector.hpp"
 
 #include <cstddef>
 #include <string>

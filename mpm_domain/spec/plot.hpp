@@ -54,15 +54,15 @@ bool cuts(const Polygon& polygon, const mesh::Rectangle& square) {
 /// Adds the places where a polygon's edges cross a level in a square.
 template <typename Polygon>
 void add_crossings(const Polygon& polygon, double level, const mesh::Rectangle& square,
-                   std::vector<double>& places) {
+                   std::vector<double>& positions) {
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const auto& a = polygon[j];
     const auto& b = polygon[i];
     if ((a.y > level) == (b.y > level))
       continue;
-    const double place = a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x);
-    if (place > square.x_min && place < square.x_max)
-      places.push_back(place);
+    const double position = a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x);
+    if (position > square.x_min && position < square.x_max)
+      positions.push_back(position);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/vector.hpp"
 #include "base/words.hpp"
-#include "mpm_domain/spec/vector.hpp"
 
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ constexpr auto words(Bears) {
 /// Fastening of an end of a prop.
 struct PropFastening {
   std::string structure; ///< its name; empty: the ground
-  Vector place;          ///< at the start, m
+  Vector position;       ///< at the start, m
 };
 
 /// A spring between two points of structures and ground (prop/spring.hpp). Forces are per metre out of plane,

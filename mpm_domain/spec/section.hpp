@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm_domain/spec/vector.hpp"
+#include "base/vector.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/vector.hpp"
 #include "base/words.hpp"
-#include "mpm_domain/spec/vector.hpp"
 
 #include <optional>
 #include <string>

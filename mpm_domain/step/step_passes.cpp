@@ -52,9 +52,10 @@ void share_structure_velocities(Domain& domain) {
     fields.insert(fields.end(), {&grid.wx_after, &grid.wy_after});
   std::vector<double*> shared;
   for (const std::size_t node : domain.boundary.shared_nodes()) {
-    const Vector place = domain.place_of(node).at;
+    const Vector position = domain.position_of(node).at;
     if (std::ranges::any_of(domain.share->structures, [&](const mesh::Rectangle& box) {
-          return place.x > box.x_min && place.x < box.x_max && place.y > box.y_min && place.y < box.y_max;
+          return position.x > box.x_min && position.x < box.x_max && position.y > box.y_min &&
+                 position.y < box.y_max;
         }))
       for (NodeField* const field : fields)
         shared.push_back(&(*field)[node]);

@@ -17,7 +17,7 @@ class CellFinder {
 public:
   CellFinder(const TileMap& tiles, std::size_t tile)
       : lattice_(&tiles.lattice(tiles.level_of(tile))), per_h_(1.0 / lattice_->h),
-        place_(tiles.window(tile)) {}
+        position_(tiles.window(tile)) {}
   explicit CellFinder(const GradedMesh& mesh) : mesh_(&mesh) {}
 
   struct Cell {
@@ -30,7 +30,7 @@ public:
     const int column = static_cast<int>(std::floor((x - lattice_->x0) * per_h_));
     const int row = static_cast<int>(std::floor((y - lattice_->y0) * per_h_));
     return {lattice_->index(column, row),
-            static_cast<std::size_t>((row - place_.row) * window_columns + column - place_.column)};
+            static_cast<std::size_t>((row - position_.row) * window_columns + column - position_.column)};
   }
 
 private:
@@ -40,7 +40,7 @@ private:
   const GradedMesh* mesh_ = nullptr;
   const Lattice* lattice_ = nullptr;
   double per_h_ = 0.0; ///< 1/h, 1/m
-  NodeBlock place_;    ///< of the window
+  NodeBlock position_; ///< of the window
 };
 
 /// Layout of a tile's sums over cells in its window.

@@ -22,11 +22,11 @@ std::int64_t particles_in(const std::vector<std::size_t>& tiles, const std::vect
 /// The place of a cell on the Hilbert curve through a square of `size` cells a side, a power of two. From
 /// quarter to quarter, the curve within is turned so that its ends meet.
 std::uint64_t hilbert_place(std::uint32_t size, std::uint32_t x, std::uint32_t y) {
-  std::uint64_t place = 0;
+  std::uint64_t position = 0;
   for (std::uint32_t half = size / 2; half > 0; half /= 2) {
     const bool right = (x & half) != 0;
     const bool up = (y & half) != 0;
-    place += std::uint64_t{half} * half * ((right ? 3U : 0U) ^ (up ? 1U : 0U));
+    position += std::uint64_t{half} * half * ((right ? 3U : 0U) ^ (up ? 1U : 0U));
     if (!up) {
       if (right) {
         x = size - 1 - x;
@@ -35,12 +35,12 @@ std::uint64_t hilbert_place(std::uint32_t size, std::uint32_t x, std::uint32_t y
       std::swap(x, y);
     }
   }
-  return place;
+  return position;
 }
 
 /// A tile or a group with particles, at the place of the first of its tiles on the curve.
 struct Piece {
-  std::uint64_t place;
+  std::uint64_t position;
   std::vector<std::size_t> tiles;
   std::int64_t particles;
 };
@@ -58,7 +58,7 @@ std::vector<Piece> pieces_along_curve(const TileMap& tiles, const std::vector<st
   };
   const std::uint32_t size = std::bit_ceil(
       1 + std::max(in_tiles(root.nx * root.h, tile_columns), in_tiles(root.ny * root.h, tile_rows)));
-  const auto place_of = [&](std::size_t tile) {
+  const auto position_of = [&](std::size_t tile) {
     const NodeBlock own = tiles.owned(tile);
     const Lattice& of = tiles.lattice(tiles.level_of(tile));
     return hilbert_place(size, in_tiles(of.x0 + own.column * of.h - root.x0, tile_columns),
@@ -69,7 +69,7 @@ std::vector<Piece> pieces_along_curve(const TileMap& tiles, const std::vector<st
     is_taken[tile] = true;
   std::vector<Piece> pieces;
   for (const std::vector<std::size_t>& group : together.groups) {
-    Piece piece{place_of(group.front()), group, particles_in(group, particles)};
+    Piece piece{position_of(group.front()), group, particles_in(group, particles)};
     for (const std::size_t tile : group)
       is_taken[tile] = true;
     if (piece.particles > 0)
@@ -77,8 +77,8 @@ std::vector<Piece> pieces_along_curve(const TileMap& tiles, const std::vector<st
   }
   for (std::size_t tile = 0; tile < particles.size(); ++tile)
     if (particles[tile] > 0 && !is_taken[tile])
-      pieces.push_back({place_of(tile), {tile}, particles[tile]});
-  std::ranges::sort(pieces, {}, &Piece::place);
+      pieces.push_back({position_of(tile), {tile}, particles[tile]});
+  std::ranges::sort(pieces, {}, &Piece::position);
   return pieces;
 }
 

@@ -48,7 +48,7 @@ unsigned pieces_in(const TileMap& tiles, std::size_t tile, std::size_t other) {
 
 void Halo::Direction::add(std::size_t tile, int rank, unsigned pieces_wanted) {
   const auto found = std::ranges::find(ranks, rank);
-  const auto place = static_cast<std::size_t>(found - ranks.begin());
+  const auto position = static_cast<std::size_t>(found - ranks.begin());
   if (found == ranks.end()) {
     ranks.push_back(rank);
     length.push_back(0);
@@ -57,9 +57,9 @@ void Halo::Direction::add(std::size_t tile, int rank, unsigned pieces_wanted) {
     if ((pieces_wanted >> static_cast<unsigned>(piece) & 1U) == 0)
       continue;
     const NodeBlock block = block_of(piece);
-    pieces[tile].push_back({block, place, length[place]});
+    pieces[tile].push_back({block, position, length[position]});
     const auto count = static_cast<std::size_t>(block.columns) * static_cast<std::size_t>(block.rows);
-    length[place] += count;
+    length[position] += count;
     nodes += count;
   }
 }

@@ -36,14 +36,14 @@ int TileMap::level_of(std::size_t tile) const {
   return static_cast<int>(std::ranges::upper_bound(starts_, tile) - starts_.begin()) - 1;
 }
 
-TileMap::Place TileMap::place_of(std::size_t tile) const {
+TileMap::Place TileMap::position_of(std::size_t tile) const {
   const int level = level_of(tile);
   const int n = static_cast<int>(tile - first(level));
   return {level, n % columns(level), n / columns(level)};
 }
 
 NodeBlock TileMap::owned(std::size_t tile) const {
-  const auto [level, column, row] = place_of(tile);
+  const auto [level, column, row] = position_of(tile);
   return overlap({column * tile_columns, row * tile_rows, tile_columns, tile_rows},
                  {0, 0, lattice(level).nx, lattice(level).ny});
 }
@@ -69,10 +69,10 @@ bool TileMap::reaches(std::size_t tile, const mesh::Rectangle& box) const {
 std::vector<std::size_t> TileMap::reaching(int level, const mesh::Rectangle& box) const {
   const Lattice& of = lattice(level);
   const auto node = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / of.h)); };
-  const auto [level_low, first_column, first_row] =
-      place_of(tile_of(level, node(box.x_min, of.x0) - window_columns, node(box.y_min, of.y0) - window_rows));
-  const auto [level_high, last_column, last_row] =
-      place_of(tile_of(level, node(box.x_max, of.x0) + window_columns, node(box.y_max, of.y0) + window_rows));
+  const auto [level_low, first_column, first_row] = position_of(
+      tile_of(level, node(box.x_min, of.x0) - window_columns, node(box.y_min, of.y0) - window_rows));
+  const auto [level_high, last_column, last_row] = position_of(
+      tile_of(level, node(box.x_max, of.x0) + window_columns, node(box.y_max, of.y0) + window_rows));
   std::vector<std::size_t> tiles;
   for (int row = first_row; row <= last_row; ++row)
     for (int column = first_column; column <= last_column; ++column)
@@ -83,7 +83,7 @@ std::vector<std::size_t> TileMap::reaching(int level, const mesh::Rectangle& box
 }
 
 std::vector<std::size_t> TileMap::around(std::size_t tile) const {
-  const auto [level, column, row] = place_of(tile);
+  const auto [level, column, row] = position_of(tile);
   std::vector<std::size_t> tiles;
   for (int j = std::max(0, row - 1); j <= std::min(rows(level) - 1, row + 1); ++j)
     for (int i = std::max(0, column - 1); i <= std::min(columns(level) - 1, column + 1); ++i)

@@ -83,7 +83,7 @@ private:
     int column;
     int row;
   };
-  Place place_of(std::size_t tile) const;
+  Place position_of(std::size_t tile) const;
   int columns(int level) const { return (lattice(level).nx + tile_columns - 1) / tile_columns; }
   int rows(int level) const { return (lattice(level).ny + tile_rows - 1) / tile_rows; }
 

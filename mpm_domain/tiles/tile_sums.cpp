@@ -93,7 +93,7 @@ void TileSums::find_owners(const TileMap& tiles, const RankShare* share) {
       all.push_back({tile, all.size()});
   owners_of_.resize(all.size());
   for (const Filled& filled : all)
-    places_.push_back(tiles.window(filled.tile));
+    positions_.push_back(tiles.window(filled.tile));
   std::ranges::sort(all, {}, &Filled::tile);
 
   std::vector<std::size_t> owners;
@@ -128,7 +128,7 @@ void TileSums::add_to(NodeFields& nodes, std::span<const SumRange> fields, const
     to_take_[n] = static_cast<int>(owners_of_[n].size());
   const auto settle = [&](std::size_t n, const RowRange& rows) {
     touched_[n] = rows.begin < rows.end
-                      ? NodeBlock{places_[n].column, rows.begin, window_columns, rows.end - rows.begin}
+                      ? NodeBlock{positions_[n].column, rows.begin, window_columns, rows.end - rows.begin}
                       : NodeBlock{}; // no particle of this tile adds anything
     for (const std::size_t o : owners_of_[n]) {
       if (!is_last(to_fill_[o]))
@@ -174,7 +174,7 @@ void TileSums::take_sums(const Owner& owner, NodeFields& nodes, std::span<const 
     const NodeBlock part = overlap(owned, touched_[n]);
     if (part.empty())
       continue;
-    const int first = (part.row - places_[n].row) * window_columns + part.column - places_[n].column;
+    const int first = (part.row - positions_[n].row) * window_columns + part.column - positions_[n].column;
     const std::size_t first_node = lattice.index(part.column, part.row);
     const auto move = [&](std::size_t f) {
       double* from = window_[n] + f * window_nodes + first;

@@ -80,7 +80,7 @@ private:
   std::vector<Owner> owners_;
   // These have one entry a filled tile, then one for each of the halo's remote tiles:
   std::vector<std::vector<std::size_t>> owners_of_;
-  std::vector<NodeBlock> places_;         ///< nodes of its window
+  std::vector<NodeBlock> positions_;      ///< nodes of its window
   std::vector<NodeBlock> touched_;        ///< the rows of the window that particles touch
   std::vector<double*> window_;           ///< its sums, until all owners have taken them
   std::vector<std::atomic<int>> to_take_; ///< number of owners that have not taken their sums yet

@@ -194,8 +194,8 @@ GatherTotals gather_tiles(Ground& ground, double dt, int clock) {
     tiles.sums.add_to(ground.grid, cell_sums, ground.tiles, ground.workers, ground.windows,
                       [&](std::size_t n, double* window) {
                         sums[n] = gather_filled<parts>(ground, clock, filled[n], dt, window);
-                        const NodeBlock place = ground.tiles.window(filled[n]);
-                        return RowRange{place.row, place.end_row()};
+                        const NodeBlock position = ground.tiles.window(filled[n]);
+                        return RowRange{position.row, position.end_row()};
                       });
     ground.workers.run(tiles.across.size(), across);
     const std::vector<GatherSums> by_cells = strain_by_cells(ground, clock, dt);

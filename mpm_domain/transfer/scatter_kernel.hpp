@@ -221,16 +221,16 @@ template <std::size_t count, std::size_t rows, typename ValuesOf>
 /// @returns the rows of the lattice that the particles touch
 template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, typename Boxes>
 [[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
-                                        const Lattice& lattice, const NodeBlock& place, double* window,
+                                        const Lattice& lattice, const NodeBlock& position, double* window,
                                         double gravity) {
   constexpr std::size_t rows = Boxes::rows;
-  const NodeArray nodes(place);
+  const NodeArray nodes(position);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
   const Lanes g = all(p.weight_share * gravity);
   ChunkWeights<rows> w;
-  FirstNodes seen(place, rows);
+  FirstNodes seen(position, rows);
   ChunkStore store;
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t count = std::min(chunk, range.end - k);
@@ -239,7 +239,7 @@ template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, 
           p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
     if (!seen.in_window())
-      refuse_stray(p, k, k + count, place, x_axis, y_axis, boxes);
+      refuse_stray(p, k, k + count, position, x_axis, y_axis, boxes);
     Arrays soil = SoilPhase::arrays<force>(p, k, count, window, store);
     if constexpr (around == Around::bilinear) {
       soil.cross_x = &p.cross_x[k];
@@ -270,21 +270,21 @@ template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, 
 /// @returns the rows of the lattice that the particles touch
 template <std::size_t count, typename Boxes, typename ValuesOf>
 [[gnu::flatten]] RowRange scatter_scalars(const Particles& p, const ParticleRange& range,
-                                          const Lattice& lattice, const NodeBlock& place, double* window,
+                                          const Lattice& lattice, const NodeBlock& position, double* window,
                                           const ValuesOf& values_of) {
-  const NodeArray nodes(place);
+  const NodeArray nodes(position);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const Boxes boxes(p, lattice, x_axis);
   ChunkWeights<Boxes::rows> w;
-  FirstNodes seen(place, Boxes::rows);
+  FirstNodes seen(position, Boxes::rows);
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t part = std::min(chunk, range.end - k);
     by_fours(0, part, [&](std::size_t c, auto group) {
       take_weights<false, false>(p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
     if (!seen.in_window())
-      refuse_stray(p, k, k + part, place, x_axis, y_axis, boxes);
+      refuse_stray(p, k, k + part, position, x_axis, y_axis, boxes);
     scatter_numbers<count>(k, part, w, window, values_of);
   }
   return seen.rows();
@@ -298,17 +298,17 @@ RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::s
   if (range.begin == range.end)
     return {};
   const Lattice& lattice = ground.tiles.lattice(ground.tiles.level_of(tile));
-  const NodeBlock place = ground.tiles.window(tile);
+  const NodeBlock position = ground.tiles.window(tile);
   const double gravity = ground.spec.gravity;
   if constexpr (coupling == PoreWaterCoupling::none && !force)
     if (p.traits.bilinear)
-      return scatter_range<coupling, motion, force, Around::bilinear, OneSquare>(p, range, lattice, place,
+      return scatter_range<coupling, motion, force, Around::bilinear, OneSquare>(p, range, lattice, position,
                                                                                  window, gravity);
   return for_boxes(p, [&]<typename Boxes>() {
     return p.traits.affine
-               ? scatter_range<coupling, motion, force, Around::affine, Boxes>(p, range, lattice, place,
+               ? scatter_range<coupling, motion, force, Around::affine, Boxes>(p, range, lattice, position,
                                                                                window, gravity)
-               : scatter_range<coupling, motion, force, Around::uniform, Boxes>(p, range, lattice, place,
+               : scatter_range<coupling, motion, force, Around::uniform, Boxes>(p, range, lattice, position,
                                                                                 window, gravity);
   });
 }
@@ -347,7 +347,7 @@ void add_across_tile(AcrossTile& tile, SumRange fields, const AddTo& add_to) {
   for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k)
     for (const FourWeights& w : tile.weights.of(k))
       add_to(k, w, [&](std::size_t sum, const Lanes& values) {
-        double* to = &tile.sums[sum * field + std::size_t{4} * w.place];
+        double* to = &tile.sums[sum * field + std::size_t{4} * w.position];
         store(to, load(to) + values);
       });
 }

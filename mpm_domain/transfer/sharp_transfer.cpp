@@ -18,13 +18,13 @@ namespace {
 /// The internal forces of a range of particles.
 /// @returns the rows of the lattice that they touch
 [[gnu::flatten]] RowRange scatter_wide(const Particles& p, const ParticleRange& range, const Lattice& lattice,
-                                       const NodeBlock& place, double* window, const NodeFields& fields) {
-  const NodeArray nodes(place);
+                                       const NodeBlock& position, double* window, const NodeFields& fields) {
+  const NodeArray nodes(position);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
   const WideSquares boxes(p, lattice, fields);
   ChunkWeights<WideSquares::rows> w;
-  FirstNodes seen(place, WideSquares::rows);
+  FirstNodes seen(position, WideSquares::rows);
   ChunkStore store;
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t count = std::min(chunk, range.end - k);
@@ -32,7 +32,7 @@ namespace {
       take_weights<true, false>(p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
     if (!seen.in_window())
-      refuse_stray(p, k, k + count, place, x_axis, y_axis, boxes);
+      refuse_stray(p, k, k + count, position, x_axis, y_axis, boxes);
     const Arrays soil = SoilPhase::arrays<true>(p, k, count, window, store);
     constexpr Lanes no_weight{};
     scatter_phase<SoilPhase::pull, Motion::none, true, Around::uniform>(soil, count, w, lattice.h, no_weight);
@@ -73,10 +73,10 @@ Vector sharp_reading(const Ground& ground, const Particles& particles, std::size
   const Grid& grid = ground.grid;
   const Weights wx = cell_weights(particles.x[k], ground.x_axis(), particles.half_size);
   const Weights wy = cell_weights(particles.y[k], ground.y_axis(), particles.half_size);
-  const auto half_moment = [](const Weights& w, double place) {
+  const auto half_moment = [](const Weights& w, double position) {
     double moment = 0.0;
     for (int i = 0; i < 4; ++i)
-      moment += w.s[i] * std::pow(w.base + i - place, 2);
+      moment += w.s[i] * std::pow(w.base + i - position, 2);
     return 0.5 * moment;
   };
   const double along = half_moment(wx, ground.x_axis().cells(particles.x[k]));

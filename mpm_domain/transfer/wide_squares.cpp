@@ -21,9 +21,9 @@ Sides sides_of(double own) {
 /// @param place   of the particle in its cell
 /// @param before  e_0
 /// @param behind  e_3
-double shrunk_side(double full, double own, double place, double before, double behind) {
-  const double a = std::max(own, std::min(place, full));
-  const double b = std::max(own, std::min(1.0 - place, full));
+double shrunk_side(double full, double own, double position, double before, double behind) {
+  const double a = std::max(own, std::min(position, full));
+  const double b = std::max(own, std::min(1.0 - position, full));
   return std::min(a + before * (full - a), b + behind * (full - b));
 }
 
@@ -32,8 +32,8 @@ double shrunk_side(double full, double own, double place, double before, double 
 struct Touched {
   int first, end;
 };
-Touched touched(double place, double across) {
-  return {place < across ? 0 : 1, place > 1.0 - across ? 4 : 3};
+Touched touched(double position, double across) {
+  return {position < across ? 0 : 1, position > 1.0 - across ? 4 : 3};
 }
 
 } // namespace

@@ -55,8 +55,8 @@ void average_in_cells(Ground& ground, const OfTile& of_tile, const OfAcross& of_
                         for (std::size_t k = range.begin; k < range.end; ++k)
                           sums.add(cell[k], pore_volume(p, k), product(s, k));
                       }
-                      const NodeBlock place = ground.tiles.window(tile);
-                      return any ? RowRange{place.row, place.end_row()} : RowRange{};
+                      const NodeBlock position = ground.tiles.window(tile);
+                      return any ? RowRange{position.row, position.end_row()} : RowRange{};
                     });
   ground.workers.run(tiles.across.size(), [&](std::size_t task) {
     const AcrossTile& tile = tiles.across[task];

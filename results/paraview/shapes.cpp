@@ -1,5 +1,7 @@
 #include "results/paraview/shapes.hpp"
 
+#include "base/vector.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,10 +10,6 @@
 
 namespace tremolo::results {
 namespace {
-
-struct Point {
-  double x = 0.0, y = 0.0;
-};
 
 /// Numbers of a series by column.
 class Columns {
@@ -72,7 +70,7 @@ private:
 struct Line {
   std::int32_t part;
   bool closed;
-  std::vector<std::vector<Point>> places; ///< [time][point]; of one that stays, once
+  std::vector<std::vector<Vector>> places; ///< [time][point]; of one that stays, once
 };
 
 std::vector<Line> faces(const FileReader& run) {
@@ -86,7 +84,7 @@ std::vector<Line> faces(const FileReader& run) {
   const auto normal = numbers("/boundary/normal");
   const auto length = numbers("/boundary/length");
   for (std::size_t i = 0; i < length.size(); ++i) {
-    const Point half{-0.5 * length[i] * normal[2 * i + 1], 0.5 * length[i] * normal[2 * i]};
+    const Vector half{-0.5 * length[i] * normal[2 * i + 1], 0.5 * length[i] * normal[2 * i]};
     const double x = position[2 * i];
     const double y = position[2 * i + 1];
     lines.push_back({part_of_faces, false, {{{x - half.x, y - half.y}, {x + half.x, y + half.y}}}});
@@ -94,27 +92,27 @@ std::vector<Line> faces(const FileReader& run) {
   return lines;
 }
 
-std::vector<Point> corners_of(const std::vector<double>& ring) {
-  std::vector<Point> corners;
+std::vector<Vector> corners_of(const std::vector<double>& ring) {
+  std::vector<Vector> corners;
   for (std::size_t i = 0; i + 1 < ring.size(); i += 2)
     corners.push_back({ring[i], ring[i + 1]});
   return corners;
 }
 
 /// The corners of a ring of a rigid structure, which has moved and turned about its centre of mass.
-Line rigid_ring(const std::vector<Point>& corners, const Columns& motion, std::span<const double> times) {
+Line rigid_ring(const std::vector<Vector>& corners, const Columns& motion, std::span<const double> times) {
   Line line{part_of_bodies, true, {}};
   const std::size_t x_column = motion.column("x");
   const std::size_t y_column = motion.column("y");
   const std::size_t tilt_column = motion.column("tilt");
-  const Point start{motion.at(x_column, {}), motion.at(y_column, {})};
+  const Vector start{motion.at(x_column, {}), motion.at(y_column, {})};
   for (const double time : times) {
     const auto moment = motion.moment(time);
-    const Point centre{motion.at(x_column, moment), motion.at(y_column, moment)};
+    const Vector centre{motion.at(x_column, moment), motion.at(y_column, moment)};
     const double cosine = std::cos(motion.at(tilt_column, moment));
     const double sine = std::sin(motion.at(tilt_column, moment));
-    std::vector<Point> places;
-    for (const Point& corner : corners) {
+    std::vector<Vector> places;
+    for (const Vector& corner : corners) {
       const double x = corner.x - start.x;
       const double y = corner.y - start.y;
       places.push_back({centre.x + cosine * x - sine * y, centre.y + sine * x + cosine * y});
@@ -134,7 +132,7 @@ Line moving_line(std::int32_t part, bool closed, const Columns& series,
     columns.emplace_back(series.column(x), series.column(y));
   for (const double time : times) {
     const auto moment = series.moment(time);
-    std::vector<Point> places;
+    std::vector<Vector> places;
     for (const auto& [x, y] : columns)
       places.push_back({series.at(x, moment), series.at(y, moment)});
     line.places.push_back(std::move(places));
@@ -190,8 +188,8 @@ std::vector<Line> props(const FileReader& run, std::span<const double> times) {
   return lines;
 }
 
-void add(const std::vector<Point>& places, std::vector<double>& points) {
-  for (const Point& place : places)
+void add(const std::vector<Vector>& places, std::vector<double>& points) {
+  for (const Vector& place : places)
     points.insert(points.end(), {place.x, place.y, 0.0});
 }
 

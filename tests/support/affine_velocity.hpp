@@ -15,24 +15,24 @@ struct AffineVelocity {
 };
 
 /// D of a particle's weights, which is diagonal, m2: sum S (x_i - x)^2 and sum S (y_i - y)^2.
-inline mpm_domain::Vector second_moments(const mpm_domain::Domain& domain, const mpm_domain::Particles& p,
-                                         std::size_t k) {
+inline Vector second_moments(const mpm_domain::Domain& domain, const mpm_domain::Particles& p,
+                             std::size_t k) {
   if (domain.mesh) {
     const auto d = mpm_domain::second_moments(*domain.mesh, mpm_domain::box_of(p, k));
     return {d.x, d.y};
   }
   const auto moment = [](double x, const mpm_domain::Axis& axis, double half_side) {
-    const double place = axis.cells(x);
+    const double position = axis.cells(x);
     const mpm_domain::HalfSide<double> box(half_side, axis);
-    return mpm_domain::CellWeights<double>(place - std::floor(place), axis, box).second_moment;
+    return mpm_domain::CellWeights<double>(position - std::floor(position), axis, box).second_moment;
   };
-  const mpm_domain::Vector half = mpm_domain::half_sides(p, k);
+  const Vector half = mpm_domain::half_sides(p, k);
   return {moment(p.x[k], domain.x_axis(), half.x), moment(p.y[k], domain.y_axis(), half.y)};
 }
 
 inline void set_affine_velocity(const mpm_domain::Domain& domain, mpm_domain::Particles& p, std::size_t k,
                                 const AffineVelocity& c) {
-  const mpm_domain::Vector d = second_moments(domain, p, k);
+  const Vector d = second_moments(domain, p, k);
   p.bxx[k] = c.xx * d.x;
   p.bxy[k] = c.xy * d.y;
   p.byx[k] = c.yx * d.x;
@@ -41,7 +41,7 @@ inline void set_affine_velocity(const mpm_domain::Domain& domain, mpm_domain::Pa
 
 inline AffineVelocity affine_velocity(const mpm_domain::Domain& domain, const mpm_domain::Particles& p,
                                       std::size_t k) {
-  const mpm_domain::Vector d = second_moments(domain, p, k);
+  const Vector d = second_moments(domain, p, k);
   return {p.bxx[k] / d.x, p.bxy[k] / d.y, p.byx[k] / d.x, p.byy[k] / d.y};
 }
 

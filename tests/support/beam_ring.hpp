@@ -51,7 +51,7 @@ inline mpm_domain::BeamShape bar_shape(double length, std::size_t elements) {
 
 /// df/dq at the present place by central differences.
 inline Eigen::MatrixXd tangent(const mpm_domain::Beam& beam) {
-  const std::size_t n = beam.places().size();
+  const std::size_t n = beam.positions().size();
   Eigen::MatrixXd k(n, n);
   const double step = 1e-6;
   for (std::size_t j = 0; j < n; ++j) {
@@ -90,13 +90,13 @@ inline std::array<double, 3> momenta(const mpm_domain::Beam& beam) {
   for (std::size_t k = 0; k < beam.node_count(); ++k) {
     const std::size_t x = beam.first_dof(k);
     const double m = beam.masses()[x];
-    const mpm_domain::Vector p{m * beam.velocity(k).x, m * beam.velocity(k).y};
+    const Vector p{m * beam.velocity(k).x, m * beam.velocity(k).y};
     sums[0] += p.x;
     sums[1] += p.y;
-    sums[2] += mpm_domain::cross(beam.place(k), p);
+    sums[2] += cross(beam.position(k), p);
   }
   // All other degrees of freedom are rotations, of which a hinge has two.
-  std::vector<bool> is_turn(beam.places().size(), true);
+  std::vector<bool> is_turn(beam.positions().size(), true);
   for (std::size_t k = 0; k < beam.node_count(); ++k)
     is_turn[beam.first_dof(k)] = is_turn[beam.first_dof(k) + 1] = false;
   for (std::size_t i = 0; i < is_turn.size(); ++i)

@@ -18,8 +18,8 @@ namespace tremolo::test_support {
 /// Ground that has been struck at t = 0.
 struct StruckGround {
   /// @param place from the middle of the surface, m
-  explicit StruckGround(const mpm_domain::Spec& spec, eq6::Vector place = {0.0, -8.0})
-      : domain(spec), stepper(struck(domain, place), 0.0, quiet_ground()), watched_(watched(domain)) {}
+  explicit StruckGround(const mpm_domain::Spec& spec, eq6::Vector position = {0.0, -8.0})
+      : domain(spec), stepper(struck(domain, position), 0.0, quiet_ground()), watched_(watched(domain)) {}
 
   /// Velocities of the particles in the middle of the ground at a time, in the order of their first places.
   void see() {
@@ -46,10 +46,10 @@ private:
 
   static double middle(const mpm_domain::Spec& spec) { return 0.5 * (spec.box.x_min + spec.box.x_max); }
 
-  static mpm_domain::Domain& struck(mpm_domain::Domain& domain, eq6::Vector place) {
+  static mpm_domain::Domain& struck(mpm_domain::Domain& domain, eq6::Vector position) {
     for (mpm_domain::Particles& set : domain.sets)
       for (std::size_t k = 0; k < set.size(); ++k) {
-        const double dx = set.x[k] - middle(domain.spec) - place.x, dy = set.y[k] - place.y;
+        const double dx = set.x[k] - middle(domain.spec) - position.x, dy = set.y[k] - position.y;
         set.vx[k] = 0.1 * std::exp(-(dx * dx + dy * dy) / 9.0);
       }
     return domain;
@@ -74,8 +74,8 @@ private:
 /// @param duration  of the run, s
 /// @param place  as of StruckGround
 inline std::vector<double> seen_after_a_blow(const mpm_domain::Spec& spec, double duration,
-                                             eq6::Vector place = {0.0, -8.0}) {
-  StruckGround run(spec, place);
+                                             eq6::Vector position = {0.0, -8.0}) {
+  StruckGround run(spec, position);
   while (run.stepper.time() < duration) {
     run.stepper.step();
     if (run.stepper.steps() % 20 == 0)

@@ -21,7 +21,7 @@ inline void add_layers(mpm_domain::Spec& spec) {
 
 /// Springs beside all dashpots around one centre.
 /// @param lags  at the base
-inline void add_springs(mpm_domain::Spec& spec, double across, double along, mpm_domain::Vector centre,
+inline void add_springs(mpm_domain::Spec& spec, double across, double along, Vector centre,
                         bool lags = false) {
   using mpm_domain::Side;
   for (const Side side : {Side::left, Side::right, Side::base})

@@ -29,8 +29,8 @@ inline mpm_domain::Spec elastic_box(double width, double depth, double h) {
 /// may move at a constant velocity.
 /// @param domain outlives what is returned
 inline mpm_domain::FreeFieldSource plane_wave_source(const mpm_domain::Domain& domain, const PlaneWave& wave,
-                                                     bool total_base, mpm_domain::Vector drift = {}) {
-  return [&domain, wave, total_base, drift](long, double t, std::span<const mpm_domain::Vector>,
+                                                     bool total_base, Vector drift = {}) {
+  return [&domain, wave, total_base, drift](long, double t, std::span<const Vector>,
                                             std::span<eq6::FreeField> field) {
     for (std::size_t f = 0; f < field.size(); ++f) {
       const mpm_domain::BoundaryFace& face = domain.boundary.faces()[f];
@@ -45,8 +45,7 @@ inline mpm_domain::FreeFieldSource plane_wave_source(const mpm_domain::Domain& d
 /// Relative L2 error of particle velocity over the box and the time of the run, against the closed form.
 class VelocityError {
 public:
-  void add(const mpm_domain::Domain& domain, const PlaneWave& wave, double velocity_time,
-           mpm_domain::Vector drift = {}) {
+  void add(const mpm_domain::Domain& domain, const PlaneWave& wave, double velocity_time, Vector drift = {}) {
     for (const mpm_domain::Particles& set : domain.sets)
       for (std::size_t k = 0; k < set.size(); ++k) {
         const eq6::Vector exact = wave.at(set.x_initial[k], set.y_initial[k], velocity_time).velocity;

@@ -127,10 +127,10 @@ inline Seen run_canyon(const Canyon& canyon, const mpm_domain::Box& watched, dou
     if (stepper.steps() % between != 0 || stepper.velocity_time() < -before_pulse - half_step)
       continue;
     std::vector<eq6::Vector>& sample = seen.emplace_back();
-    for (const auto& [place, ids] : by_place) {
+    for (const auto& [position, ids] : by_place) {
       eq6::Vector& mean = sample.emplace_back();
       for (const std::uint32_t id : ids) {
-        const mpm_domain::Vector v = particle_velocity(domain, set, set.index_of[id]);
+        const Vector v = particle_velocity(domain, set, set.index_of[id]);
         mean.x += v.x / double(ids.size());
         mean.y += v.y / double(ids.size());
       }

@@ -60,7 +60,7 @@ public:
         add_impulse(domain_.contact.structure_loads().on(b), dt);
     const mpm_domain::Boundary& boundary = domain_.boundary;
     for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
-      const mpm_domain::Vector t = boundary.traction(f);
+      const Vector t = boundary.traction(f);
       const double length = boundary.faces()[f].length;
       add_impulse({length * t.x, length * t.y}, dt);
     }
@@ -107,12 +107,12 @@ private:
   struct Totals {
     double mass = 0.0;          ///< of particles
     double weighing_mass = 0.0; ///< less that of displaced water
-    mpm_domain::Vector momentum;
+    Vector momentum;
     double momentum_size = 0.0; ///< sum m |v|
     double speed = 0.0;
   };
 
-  void add_impulse(mpm_domain::Vector force, double dt) {
+  void add_impulse(Vector force, double dt) {
     impulse_.x += dt * force.x;
     impulse_.y += dt * force.y;
     impulse_scale_ += dt * std::hypot(force.x, force.y);
@@ -127,7 +127,7 @@ private:
 
   Totals totals() {
     Totals sum;
-    const auto add = [&](double mass, const mpm_domain::Vector& v) {
+    const auto add = [&](double mass, const Vector& v) {
       const double speed = std::hypot(v.x, v.y);
       sum.momentum.x += mass * v.x;
       sum.momentum.y += mass * v.y;
@@ -177,7 +177,7 @@ private:
   bool finite_ = true;
   Totals start_;
   double pushed_; ///< energy of the structures at the start, J/m
-  mpm_domain::Vector impulse_;
+  Vector impulse_;
   double impulse_scale_ = 0.0;
   double speed_scale_ = 0.0;
   double mass_ = 0.0;

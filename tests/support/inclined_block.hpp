@@ -29,7 +29,7 @@ inline double exact_acceleration(double angle, double friction) {
 /// Its acceleration down the incline over 0.3 s, once the soil has sprung back from the bonds, m/s2.
 inline double measured_acceleration(StandingScene& scene, double angle) {
   const auto speed = [&] {
-    const mpm_domain::Vector v = scene.body().motion().velocity;
+    const Vector v = scene.body().motion().velocity;
     return -(v.x * std::cos(angle) + v.y * std::sin(angle));
   };
   scene.run(0.1);

@@ -17,7 +17,7 @@ inline mpm_domain::Lining ring_lining(std::size_t corners = 64) {
                             .hinges = {},
                             .friction = {},
                             .adhesion = {}};
-  for (mpm_domain::Vector& corner : lining.outline)
+  for (Vector& corner : lining.outline)
     corner = {outer * corner.x, outer * corner.y};
   return lining;
 }

@@ -62,9 +62,9 @@ public:
   Velocity operator()(double time) const {
     if (time <= 0.0)
       return {};
-    const double place = std::min(time / interval, static_cast<double>(intervals));
-    const auto i = std::min(static_cast<std::size_t>(place), intervals - 1);
-    return {std::lerp(velocity_[i], velocity_[i + 1], place - static_cast<double>(i)), 0.0};
+    const double position = std::min(time / interval, static_cast<double>(intervals));
+    const auto i = std::min(static_cast<std::size_t>(position), intervals - 1);
+    return {std::lerp(velocity_[i], velocity_[i + 1], position - static_cast<double>(i)), 0.0};
   }
 
 private:

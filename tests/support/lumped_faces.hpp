@@ -15,8 +15,8 @@ void add_lumped_faces(mpm_domain::Domain& domain, const TractionOn& traction_on)
   mpm_domain::Grid& grid = domain.grid;
   mpm_domain::FaceWeights weights;
   for (const mpm_domain::BoundaryFace& face : domain.boundary.faces()) {
-    const mpm_domain::Vector t = traction_on(face);
-    const mpm_domain::Vector z = dashpot_diagonal(face);
+    const Vector t = traction_on(face);
+    const Vector z = dashpot_diagonal(face);
     face_weights(domain, face, weights);
     for (const auto& [n, w] : weights) {
       grid.force_x[n] += w * face.length * t.x;

@@ -27,24 +27,24 @@ struct PlanePulse {
   materials::Elasticity ground{1700.0, 40e6, 0.28};
 
   double speed() const { return sv ? ground.s_wave_speed() : ground.p_wave_speed(); }
-  mpm_domain::Vector direction() const {
+  Vector direction() const {
     const double angle = angle_deg * std::numbers::pi / 180.0;
     return {std::sin(angle), std::cos(angle)};
   }
-  mpm_domain::Vector polarisation() const {
-    const mpm_domain::Vector n = direction();
-    return sv ? mpm_domain::Vector{n.y, -n.x} : n;
+  Vector polarisation() const {
+    const Vector n = direction();
+    return sv ? Vector{n.y, -n.x} : n;
   }
   double along(double x, double y, double t) const {
-    const mpm_domain::Vector n = direction();
+    const Vector n = direction();
     const double s = n.x * x + n.y * y - speed() * t;
     if (harmonic)
       return velocity * std::cos(2.0 * std::numbers::pi * s / wavelength);
     const double a = std::pow(std::numbers::pi * std::remainder(s, spacing) / wavelength, 2);
     return velocity * (1.0 - 2.0 * a) * std::exp(-a);
   }
-  mpm_domain::Vector at(double x, double y, double t) const {
-    const mpm_domain::Vector d = polarisation();
+  Vector at(double x, double y, double t) const {
+    const Vector d = polarisation();
     const double v = along(x, y, t);
     return {v * d.x, v * d.y};
   }
@@ -52,13 +52,13 @@ struct PlanePulse {
 
 /// Ground for a pulse and where it is compared.
 struct PulseGround {
-  double h = 0.0;                ///< m
-  double width = 0.0;            ///< of the period, m
-  double travelled = 0.0;        ///< way of the pulse, m
-  double strip = 0.0;            ///< height of the middle that is compared, m
-  mpm_domain::Vector drift = {}; ///< of all, m/s
-  double jitter = 0.0;           ///< of the particles' places, at random, m
-  int particles_per_cell = 2;    ///< in each direction
+  double h = 0.0;             ///< m
+  double width = 0.0;         ///< of the period, m
+  double travelled = 0.0;     ///< way of the pulse, m
+  double strip = 0.0;         ///< height of the middle that is compared, m
+  Vector drift = {};          ///< of all, m/s
+  double jitter = 0.0;        ///< of the particles' places, at random, m
+  int particles_per_cell = 2; ///< in each direction
 
   double height(const PlanePulse& pulse) const {
     const double reached = travelled / pulse.speed() * pulse.ground.p_wave_speed();
@@ -87,13 +87,13 @@ inline void lay(const PlanePulse& pulse, mpm_domain::Domain& domain, double velo
   mpm_domain::Grid& grid = domain.grid;
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
-      const mpm_domain::Vector v = pulse.at(grid.x0 + i * grid.h, grid.y0 + j * grid.h, velocity_time);
+      const Vector v = pulse.at(grid.x0 + i * grid.h, grid.y0 + j * grid.h, velocity_time);
       grid.vx_after[grid.index(i, j)] = v.x;
       grid.vy_after[grid.index(i, j)] = v.y;
     }
   mpm_domain::gather(domain, 1.0, {.velocity = true, .sharp = domain.is_sharp()});
-  const mpm_domain::Vector n = pulse.direction();
-  const mpm_domain::Vector d = pulse.polarisation();
+  const Vector n = pulse.direction();
+  const Vector d = pulse.polarisation();
   const double mu = pulse.ground.shear_modulus();
   const double lame = pulse.ground.lame();
   for (mpm_domain::Particles& set : domain.sets)
@@ -115,8 +115,8 @@ struct PulseResult {
 };
 
 /// A free field without waves that moves with the ground.
-inline mpm_domain::FreeFieldSource moving_ground(mpm_domain::Vector drift) {
-  return [drift](long, double, std::span<const mpm_domain::Vector>, std::span<eq6::FreeField> field) {
+inline mpm_domain::FreeFieldSource moving_ground(Vector drift) {
+  return [drift](long, double, std::span<const Vector>, std::span<eq6::FreeField> field) {
     std::ranges::fill(field, eq6::FreeField{drift, {}});
   };
 }
@@ -149,8 +149,8 @@ inline PulseResult travel(const PlanePulse& pulse, const PulseGround& ground,
     stepper.step();
   const double middle = 0.5 * domain.spec.box.y_max;
   const double t = stepper.velocity_time();
-  const mpm_domain::Vector n = pulse.direction();
-  const mpm_domain::Vector d = pulse.polarisation();
+  const Vector n = pulse.direction();
+  const Vector d = pulse.polarisation();
   double error = 0.0, exact2 = 0.0, found2 = 0.0, in_phase = 0.0, in_quadrature = 0.0;
   for (const mpm_domain::Particles& set : domain.sets)
     for (std::size_t k = 0; k < set.size(); ++k) {
@@ -158,9 +158,9 @@ inline PulseResult travel(const PlanePulse& pulse, const PulseGround& ground,
         continue;
       const double x = set.x_initial[k];
       const double y = set.y_initial[k];
-      const mpm_domain::Vector exact = pulse.at(x, y, t);
-      const mpm_domain::Vector with_drift = mpm_domain::particle_velocity(domain, set, k);
-      const mpm_domain::Vector v{with_drift.x - ground.drift.x, with_drift.y - ground.drift.y};
+      const Vector exact = pulse.at(x, y, t);
+      const Vector with_drift = mpm_domain::particle_velocity(domain, set, k);
+      const Vector v{with_drift.x - ground.drift.x, with_drift.y - ground.drift.y};
       error += std::pow(v.x - exact.x, 2) + std::pow(v.y - exact.y, 2);
       exact2 += exact.x * exact.x + exact.y * exact.y;
       found2 += v.x * v.x + v.y * v.y;

@@ -17,8 +17,8 @@ public:
 
   PunchedClay(double cell_size, bool rough)
       : domain(spec(cell_size, rough)), stepper(domain, 0.0, quiet_ground()) {
-    const mpm_domain::Vector place = domain.contact.bodies().front().centre();
-    set_bodies(domain, {{place.x, place.y, 0.0, 0.0, -speed, 0.0}});
+    const Vector position = domain.contact.bodies().front().centre();
+    set_bodies(domain, {{position.x, position.y, 0.0, 0.0, -speed, 0.0}});
   }
 
   double sunk() const { return speed * stepper.time(); } ///< m

@@ -11,7 +11,7 @@ namespace tremolo::test_support {
 
 /// A free field at rest.
 inline mpm_domain::FreeFieldSource quiet_ground() {
-  return [](long, double, std::span<const mpm_domain::Vector>, std::span<eq6::FreeField> field) {
+  return [](long, double, std::span<const Vector>, std::span<eq6::FreeField> field) {
     std::ranges::fill(field, eq6::FreeField{});
   };
 }

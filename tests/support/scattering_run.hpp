@@ -109,7 +109,7 @@ inline eq6::FreeField free_field(const ScatteringRun& run, const PlaneWave& wave
   return under_surface(wave, 0.0, x, y, t, 1);
 }
 
-inline std::vector<mpm_domain::Vector> ground_outline(const ScatteringRun& run) {
+inline std::vector<Vector> ground_outline(const ScatteringRun& run) {
   const double half = 0.5 * run.width;
   const double base_level = run.base_level;
   switch (run.scatterer) {
@@ -148,7 +148,7 @@ inline mpm_domain::Spec scattering_spec(const ScatteringRun& run) {
     spec.matched_sides = {left, right, base};
   if (run.absorber == Absorber::layers_and_springs)
     spec.matched_sides = {left, right};
-  const mpm_domain::Vector centre{0.0, 0.5 * run.right_surface()};
+  const Vector centre{0.0, 0.5 * run.right_surface()};
   if (run.absorber == Absorber::springs)
     add_springs(spec, run.across, 0.5 * run.across, centre, run.surfaces_differ());
   if (run.absorber == Absorber::layers_and_springs)
@@ -197,7 +197,7 @@ inline ScatteredMotion shake(const ScatteringRun& run) {
     stepper.step();
     if (stepper.time() < 0.5 * spec.scheme.dt.value() || stepper.steps() % steps != 0)
       continue;
-    for (const auto& [place, id] : watched) {
+    for (const auto& [position, id] : watched) {
       const std::size_t k = set.index_of[id];
       motion.velocity.insert(motion.velocity.end(), {set.vx[k], set.vy[k]});
       motion.largest = std::max({motion.largest, std::abs(set.vx[k]), std::abs(set.vy[k])});

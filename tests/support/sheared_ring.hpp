@@ -16,7 +16,7 @@
 
 #include "tests/support/beam_ring.hpp"
 
-#include "mpm_domain/spec/vector.hpp"
+#include "base/vector.hpp"
 
 #include <Eigen/Dense>
 
@@ -72,9 +72,9 @@ struct RingInShear {
     moment = m.dot(of);
   }
   /// Displacement of the ground, m.
-  mpm_domain::Vector at(const mpm_domain::Vector& place) const {
-    const double r = std::hypot(place.x, place.y);
-    const double theta = std::atan2(place.y, place.x);
+  Vector at(const Vector& position) const {
+    const double r = std::hypot(position.x, position.y);
+    const double theta = std::atan2(position.y, position.x);
     const double twice = 2.0 * theta - 0.5 * std::numbers::pi;
     const double ur = 0.5 / shear *
                       (stress * r + 2.0 * of(0) / std::pow(r, 3) + 4.0 * (1.0 - poisson) * of(1) / r) *

@@ -4,9 +4,9 @@
 // domain would be filled with, and masses lumped at nodes. Places stay those of the start, so that statics is
 // one linear system and dynamics a loop of a few lines: a second, independent user of lining contact.
 
+#include "base/vector.hpp"
 #include "mpm_domain/spec/lattice.hpp"
 #include "mpm_domain/spec/plot.hpp"
-#include "mpm_domain/spec/vector.hpp"
 
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace tremolo::test_support {
 struct SoilBox {
   struct Point {
     std::array<std::size_t, 4> nodes;
-    std::array<mpm_domain::Vector, 4> gradients; ///< of the hats, 1/m
+    std::array<Vector, 4> gradients; ///< of the hats, 1/m
     double area;
   };
 
@@ -30,7 +30,7 @@ struct SoilBox {
 
   double full = 0.0;                                            ///< mass of a node that soil fills, kg/m
   double empty() const { return 1e-9 * lattice.h * lattice.h; } ///< mass of a node without soil, kg/m
-  mpm_domain::Vector place(std::size_t node) const {
+  Vector position(std::size_t node) const {
     const auto columns = static_cast<std::size_t>(lattice.nx);
     return {lattice.x0 + static_cast<double>(node % columns) * lattice.h,
             lattice.y0 + static_cast<double>(node / columns) * lattice.h};
@@ -46,8 +46,8 @@ struct SoilBox {
     return {lame * (xx + yy) + 2.0 * shear * xx, lame * (xx + yy) + 2.0 * shear * yy, shear * xy};
   }
   /// Forces of the stress on the nodes, N/m.
-  std::vector<mpm_domain::Vector> forces(const std::vector<double>& ux, const std::vector<double>& uy) const {
-    std::vector<mpm_domain::Vector> forces(mass.size());
+  std::vector<Vector> forces(const std::vector<double>& ux, const std::vector<double>& uy) const {
+    std::vector<Vector> forces(mass.size());
     for (const Point& p : points) {
       double xx = 0.0;
       double yy = 0.0;
@@ -61,7 +61,7 @@ struct SoilBox {
       const auto [sxx, syy, sxy] = stress(xx, yy, xy);
       for (std::size_t a = 0; a < 4; ++a) {
         const auto [gx, gy] = p.gradients[a];
-        mpm_domain::Vector& f = forces[p.nodes[a]];
+        Vector& f = forces[p.nodes[a]];
         f = {f.x - p.area * (gx * sxx + gy * sxy), f.y - p.area * (gx * sxy + gy * syy)};
       }
     }
@@ -70,9 +70,8 @@ struct SoilBox {
 };
 
 /// A square of soil with a cavity, cells of size h (m) from its lower left corner on, four particles a cell.
-inline SoilBox soil_box(const mpm_domain::Vector& corner, int cells, double h,
-                        const std::vector<mpm_domain::Vector>& cavity, double young, double poisson,
-                        double density) {
+inline SoilBox soil_box(const Vector& corner, int cells, double h, const std::vector<Vector>& cavity,
+                        double young, double poisson, double density) {
   SoilBox box;
   box.lattice = {.h = h, .x0 = corner.x, .y0 = corner.y, .nx = cells + 1, .ny = cells + 1, .first = 0};
   box.mass.assign(box.lattice.count(), 0.0);
@@ -80,11 +79,11 @@ inline SoilBox soil_box(const mpm_domain::Vector& corner, int cells, double h,
   box.shear = young / (2.0 * (1.0 + poisson));
   box.lame = young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
   const double width = cells * h;
-  const std::vector<std::vector<mpm_domain::Vector>> all{{corner,
-                                                          {corner.x + width, corner.y},
-                                                          {corner.x + width, corner.y + width},
-                                                          {corner.x, corner.y + width}}};
-  const std::vector<std::vector<mpm_domain::Vector>> holes{cavity};
+  const std::vector<std::vector<Vector>> all{{corner,
+                                              {corner.x + width, corner.y},
+                                              {corner.x + width, corner.y + width},
+                                              {corner.x, corner.y + width}}};
+  const std::vector<std::vector<Vector>> holes{cavity};
   for (int j = 0; j < 2 * cells; ++j)
     for (int i = 0; i < 2 * cells; ++i) {
       const mpm_domain::Plot plot = mpm_domain::plot_of(all, holes, corner.x + (i + 0.5) * 0.5 * h,

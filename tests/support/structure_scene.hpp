@@ -19,25 +19,23 @@
 
 namespace tremolo::test_support {
 
-inline std::vector<mpm_domain::Vector> rectangle(double x_min, double y_min, double x_max, double y_max) {
+inline std::vector<Vector> rectangle(double x_min, double y_min, double x_max, double y_max) {
   return {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}};
 }
 
 /// A polygon of many corners with the area of a circle.
-inline std::vector<mpm_domain::Vector> circle(const mpm_domain::Vector& centre, double radius,
-                                              int corners = 64) {
+inline std::vector<Vector> circle(const Vector& centre, double radius, int corners = 64) {
   const double angle = 2.0 * std::acos(-1.0) / corners;
   const double reach = radius * std::sqrt(angle / std::sin(angle));
-  std::vector<mpm_domain::Vector> polygon;
+  std::vector<Vector> polygon;
   for (int k = 0; k < corners; ++k)
     polygon.push_back({centre.x + reach * std::cos(angle * k), centre.y + reach * std::sin(angle * k)});
   return polygon;
 }
 
-inline std::vector<mpm_domain::Vector> turned(std::vector<mpm_domain::Vector> polygon,
-                                              const mpm_domain::Vector& about, double angle) {
-  for (mpm_domain::Vector& p : polygon) {
-    const mpm_domain::Vector d{p.x - about.x, p.y - about.y};
+inline std::vector<Vector> turned(std::vector<Vector> polygon, const Vector& about, double angle) {
+  for (Vector& p : polygon) {
+    const Vector d{p.x - about.x, p.y - about.y};
     p = {about.x + std::cos(angle) * d.x - std::sin(angle) * d.y,
          about.y + std::sin(angle) * d.x + std::cos(angle) * d.y};
   }
@@ -45,8 +43,7 @@ inline std::vector<mpm_domain::Vector> turned(std::vector<mpm_domain::Vector> po
 }
 
 /// A structure against one soil.
-inline mpm_domain::Structure structure(std::vector<mpm_domain::Vector> outline, double density,
-                                       double friction) {
+inline mpm_domain::Structure structure(std::vector<Vector> outline, double density, double friction) {
   return {.name = "block",
           .outline = std::move(outline),
           .density = density,
@@ -74,7 +71,7 @@ inline void set_motion(mpm_domain::Domain& domain, std::size_t which, const mpm_
   std::vector<std::vector<double>> states;
   for (const mpm_domain::RigidBody& body : domain.contact.bodies())
     states.push_back(body.state());
-  const mpm_domain::Vector centre = domain.contact.bodies()[which].centre();
+  const Vector centre = domain.contact.bodies()[which].centre();
   std::ranges::copy(std::initializer_list<double>{motion.velocity.x, motion.velocity.y, motion.spin},
                     states[which].begin() + 3);
   if (!domain.contact.is_elastic(which))
@@ -86,7 +83,7 @@ inline void set_motion(mpm_domain::Domain& domain, std::size_t which, const mpm_
     for (std::size_t k = 0; set.body && k < set.size(); ++k) {
       if (domain.contact.structure_of(*set.body) != which)
         continue;
-      const mpm_domain::Vector v = motion.at({set.x[k] - centre.x, set.y[k] - centre.y});
+      const Vector v = motion.at({set.x[k] - centre.x, set.y[k] - centre.y});
       set.vx[k] = v.x;
       set.vy[k] = v.y;
       set.bxy[k] = -motion.spin * moment;
@@ -98,7 +95,7 @@ inline void set_motion(mpm_domain::Domain& domain, std::size_t which, const mpm_
 inline double overlap(const mpm_domain::RigidBody& a, const mpm_domain::RigidBody& b) {
   double deepest = 0.0;
   for (const auto& [owner, other] : {std::pair{&a, &b}, std::pair{&b, &a}})
-    for (const mpm_domain::Vector& corner : owner->outline())
+    for (const Vector& corner : owner->outline())
       deepest = std::max(deepest, -other->surface().nearest(corner).distance);
   return deepest;
 }

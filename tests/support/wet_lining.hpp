@@ -11,8 +11,8 @@ namespace tremolo::test_support {
 
 /// A circular lining with the mass of a cylinder.
 /// @param density  of that, kg/m3
-inline mpm_domain::Lining light_lining(const mpm_domain::Vector& centre, double radius, double thickness,
-                                       double density, double friction) {
+inline mpm_domain::Lining light_lining(const Vector& centre, double radius, double thickness, double density,
+                                       double friction) {
   const double axis = radius - 0.5 * thickness;
   const double of_wall = density * radius * radius / (2.0 * axis * thickness);
   return {.name = "ring",
@@ -25,9 +25,9 @@ inline mpm_domain::Lining light_lining(const mpm_domain::Vector& centre, double 
 }
 
 /// The ring of lined_ring.hpp about a centre.
-inline mpm_domain::Lining concrete_lining(const mpm_domain::Vector& centre, double friction) {
+inline mpm_domain::Lining concrete_lining(const Vector& centre, double friction) {
   mpm_domain::Lining lining = ring_lining();
-  for (mpm_domain::Vector& corner : lining.outline)
+  for (Vector& corner : lining.outline)
     corner = {corner.x + centre.x, corner.y + centre.y};
   lining.friction = {friction};
   lining.adhesion = {0.0};
@@ -35,17 +35,17 @@ inline mpm_domain::Lining concrete_lining(const mpm_domain::Vector& centre, doub
 }
 
 /// The mean velocity of a beam, m/s.
-inline mpm_domain::Vector mean_velocity(const mpm_domain::Beam& beam) {
+inline Vector mean_velocity(const mpm_domain::Beam& beam) {
   const auto sums = momenta(beam);
   return {sums[0] / beam.mass(), sums[1] / beam.mass()};
 }
 
 /// The middle of its mass, m.
-inline mpm_domain::Vector middle(const mpm_domain::Beam& beam) {
-  mpm_domain::Vector sum{};
+inline Vector middle(const mpm_domain::Beam& beam) {
+  Vector sum{};
   for (std::size_t k = 0; k < beam.node_count(); ++k) {
     const double share = beam.masses()[beam.first_dof(k)] / beam.mass();
-    sum = {sum.x + share * beam.place(k).x, sum.y + share * beam.place(k).y};
+    sum = {sum.x + share * beam.position(k).x, sum.y + share * beam.position(k).y};
   }
   return sum;
 }

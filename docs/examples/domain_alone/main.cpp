@@ -48,11 +48,11 @@ mpm_domain::Spec box_of_soil() {
 int main() {
   mpm_domain::Domain domain(box_of_soil());
   // Once a step: the velocities of the faces go out, the free field comes in.
-  mpm_domain::Stepper stepper(
-      domain, 0.0, [&](long, double t, std::span<const mpm_domain::Vector>, std::span<eq6::FreeField> field) {
-        for (std::size_t f = 0; f < field.size(); ++f)
-          field[f] = free_field(domain.boundary.faces()[f].position.y, t);
-      });
+  mpm_domain::Stepper stepper(domain, 0.0,
+                              [&](long, double t, std::span<const Vector>, std::span<eq6::FreeField> field) {
+                                for (std::size_t f = 0; f < field.size(); ++f)
+                                  field[f] = free_field(domain.boundary.faces()[f].position.y, t);
+                              });
   double largest = 0.0;
   while (stepper.time() < 1.5) {
     stepper.step();

@@ -105,7 +105,7 @@ std::optional<std::size_t> LostHold::largest(const Value& value) const {
 }
 
 /// "the base, x = 3 m, y = -12 m"
-std::string LostHold::place(std::size_t f) const {
+std::string LostHold::position_text(std::size_t f) const {
   const BoundaryFace& face = boundary_.faces()[f];
   return fmt::format("the {}, x = {:g} m, y = {:g} m", text_of(face.side), face.position.x, face.position.y);
 }
@@ -131,7 +131,7 @@ std::optional<std::string> LostHold::report() const {
     if (d.x == 0.0 && d.y == 0.0) // it has not been shaken
       continue;
     text += fmt::format("{}{:.3g} mm at {}", text.empty() ? "" : "; ", 1e3 * std::hypot(d.x, d.y),
-                        place(*farthest));
+                        position_text(*farthest));
     if (const double share = strength_share(*farthest); share > 0.0)
       text += fmt::format(", where its spring pulls with {:.2g} of the soil's strength", share);
   }
@@ -146,7 +146,8 @@ std::optional<std::string> LostHold::warning() const {
     return fmt::format(
         "soil has moved {} the model by {:.2g} m at {}, beyond what its free field has: {}; sides and base "
         "farther from soil that fails, or absorber = \"matched_layer\", see less of it",
-        moved_out(*farthest) > 0.0 ? "out of" : "into", std::abs(moved_out(*farthest)), place(*farthest),
+        moved_out(*farthest) > 0.0 ? "out of" : "into", std::abs(moved_out(*farthest)),
+        position_text(*farthest),
         springs_at(*farthest) != nullptr ? "a spring holds it there as ground that does not fail would"
                                          : "the traction there is still the one that held it at rest");
   }
@@ -160,7 +161,7 @@ std::optional<std::string> LostHold::warning() const {
           "the springs at the {} pull with more than the strength of the soil at rest, most at "
           "{}, by {:.2g} of what the soil of the whole side bears: the ground beyond would yield "
           "there; sides and base farther from there ask for less of it",
-          text_of(side), place(pulled), excess);
+          text_of(side), position_text(pulled), excess);
     }
   return std::nullopt;
 }

@@ -67,7 +67,7 @@ private:
   /// The face that counts with the largest value, if any does.
   template <class Value>
   std::optional<std::size_t> largest(const Value& value) const;
-  std::string place(std::size_t face) const;
+  std::string position_text(std::size_t face) const;
 
   const Boundary& boundary_;
   const GroundSprings* springs_; ///< of the boundary; null without any

@@ -5,8 +5,6 @@
 
 namespace tremolo::mpm_domain {
 
-using eq6::Vector;
-
 LayerCorner::LayerCorner(const CornerShape& shape)
     : shape_(shape), cells_(static_cast<std::size_t>(shape.cells)), size_(shape.depth / shape.cells),
       mass_((cells_ + 1) * (cells_ + 1)), memory_(cells_ * cells_) {
@@ -61,8 +59,8 @@ void LayerCorner::sum_forces(double dt) {
   std::ranges::fill(force_, Vector{});
   std::vector<StretchAt> stretches;
   for (std::size_t cell = 0; cell < cells_; ++cell)
-    for (const double place : gauss)
-      stretches.push_back(shape_.stretch.at((static_cast<double>(cell) + place) * size_, dt));
+    for (const double position : gauss)
+      stretches.push_back(shape_.stretch.at((static_cast<double>(cell) + position) * size_, dt));
   const Decay stress_decay(shape_.stretch.shift(), dt);
   for (std::size_t row = 0; row < cells_; ++row)
     for (std::size_t column = 0; column < cells_; ++column)

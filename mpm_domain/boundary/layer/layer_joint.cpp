@@ -6,8 +6,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-using eq6::Vector;
-
 /// A side's layer begins at the base.
 constexpr std::size_t side_end = 0;
 

@@ -11,8 +11,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-using eq6::Vector;
-
 /// A vector of each of four elements side by side.
 struct LaneVector {
   Lanes x, y;

@@ -31,13 +31,13 @@ void LeaningSides::find(const Ground& ground, std::span<const BoundaryFace> face
       continue;
     edges_.push_back(
         loads(faces[f].ground.normal.x, soil[f], soil[next], field[f].stress, field[next].stress));
-    const FacePlace& below = soil[f].place;
-    const FacePlace& above = soil[next].place;
+    const FacePosition& below = soil[f].position;
+    const FacePosition& above = soil[next].position;
     const double y = mean(below.centre.y + below.half.y, above.centre.y - above.half.y);
     FaceWeights& weights = weights_.emplace_back();
     for (const std::size_t face : {f, next}) {
-      const FacePlace& place = soil[face].place;
-      face_weights(ground, faces[face], {{place.centre.x, y}, {place.half.x, 0.0}}, at_line);
+      const FacePosition& position = soil[face].position;
+      face_weights(ground, faces[face], {{position.centre.x, y}, {position.half.x, 0.0}}, at_line);
       for (const auto& [node, w] : at_line)
         weights.push_back({node, 0.5 * w});
     }

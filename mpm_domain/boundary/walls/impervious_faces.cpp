@@ -49,7 +49,7 @@ void close(Ground& ground, const Boundary& boundary, Reactions& reactions) {
     const BoundaryFace& face = boundary.faces()[f];
     if (face.side == Side::base && ground.sets[face.set].traits.flowing)
       for (int level = 0; level < ground.lattice_count(); ++level)
-        close_nodes(ground.lattice(level), line_of(face, boundary.soil()[f].place), grid);
+        close_nodes(ground.lattice(level), line_of(face, boundary.soil()[f].position), grid);
   }
   if (const RigidBase* const table = boundary.supports().find<RigidBase>())
     table->close_to_water(grid);

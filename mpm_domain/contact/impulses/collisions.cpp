@@ -55,7 +55,7 @@ std::optional<Touched> touched_face(const BodySurface& surface, const Vector& be
   std::optional<Touched> found;
   for (const BodySurface::Toe& toe : surface.toes())
     for (const Vector& normal : toe.normals) {
-      const Vector off = corner - toe.place;
+      const Vector off = corner - toe.position;
       const double gap = dot(off, normal);
       if (square(off) < distance * distance && lies_outside(before, corner, after, normal) &&
           (!found || std::abs(gap) < std::abs(found->gap)))

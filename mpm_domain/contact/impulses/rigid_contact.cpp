@@ -174,7 +174,9 @@ RigidMotion pushed(double mass, double inertia, const RigidMotion& trial,
   Vector impulse;
   double turn = 0.0;
   for (const ContactPoint& p : points) {
-    const Vector j = p.normal_impulse * p.normal + p.tangential_impulse * p.tangent();
+    const Vector t = p.tangent();
+    const Vector j{p.normal_impulse * p.normal.x + p.tangential_impulse * t.x,
+                   p.normal_impulse * p.normal.y + p.tangential_impulse * t.y};
     impulse += j;
     turn += cross(p.arm, j);
   }

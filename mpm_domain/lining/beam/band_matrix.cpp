@@ -43,23 +43,23 @@ template <class Group, class InMemory, std::size_t Count>
 void BandMatrix::solve_groups(double* x, std::size_t stride) const {
   constexpr std::size_t width = sizeof(Group) / sizeof(double);
   std::array<Group, Count> left;
-  const auto place = [&](std::size_t row, std::size_t group) {
+  const auto entry = [&](std::size_t row, std::size_t group) {
     return reinterpret_cast<InMemory*>(x + row * stride + group * width);
   };
   const auto begin = [&](double factor, std::size_t row) {
 #pragma GCC unroll 8
     for (std::size_t g = 0; g < Count; ++g)
-      left[g] = factor * *place(row, g);
+      left[g] = factor * *entry(row, g);
   };
   const auto subtract = [&](double factor, std::size_t row) {
 #pragma GCC unroll 8
     for (std::size_t g = 0; g < Count; ++g)
-      left[g] -= factor * *place(row, g);
+      left[g] -= factor * *entry(row, g);
   };
   const auto end = [&](std::size_t row) {
 #pragma GCC unroll 8
     for (std::size_t g = 0; g < Count; ++g)
-      *place(row, g) = left[g];
+      *entry(row, g) = left[g];
   };
   for (std::size_t i = 0; i < size_; ++i) {
     begin(1.0, i);

@@ -71,7 +71,7 @@ Beam::Beam(const BeamShape& shape, const BeamSection& section)
 
 void Beam::follow_places() {
   for (std::size_t e = 0; e < elements_.size(); ++e)
-    now_[e] = place_of(elements_[e], q_);
+    now_[e] = position_of(elements_[e], q_);
 }
 
 double Beam::mass() const {
@@ -100,7 +100,7 @@ double Beam::strain_energy() const {
 }
 
 SectionForces Beam::forces(std::size_t element) const {
-  const ElementPlace& now = now_[element];
+  const ElementPosition& now = now_[element];
   return in_the_middle(force_of(elements_[element], section_, now.strain), now.length);
 }
 

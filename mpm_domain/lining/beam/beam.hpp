@@ -35,11 +35,11 @@ public:
   std::size_t node_count() const { return first_dof_.size(); }
   /// Element k begins at node k.
   const std::vector<BeamElement>& elements() const { return elements_; }
-  const ElementPlace& place_of_element(std::size_t element) const { return now_[element]; }
-  std::span<const double> places() const { return q_; } ///< m, rad
+  const ElementPosition& place_of_element(std::size_t element) const { return now_[element]; }
+  std::span<const double> positions() const { return q_; } ///< m, rad
   std::span<const double> velocities() const { return v_; }
   std::span<const double> masses() const { return masses_; } ///< M, kg/m and kg m
-  Vector place(std::size_t node) const { return {q_[first_dof_[node]], q_[first_dof_[node] + 1]}; }
+  Vector position(std::size_t node) const { return {q_[first_dof_[node]], q_[first_dof_[node] + 1]}; }
   Vector velocity(std::size_t node) const { return {v_[first_dof_[node]], v_[first_dof_[node] + 1]}; }
   /// Its x; y and theta follow, at a hinge that of the element before it and then that of the one behind.
   std::size_t first_dof(std::size_t node) const { return first_dof_[node]; }
@@ -73,7 +73,7 @@ private:
   BeamSection section_;
   std::vector<std::size_t> first_dof_; ///< by node
   std::vector<BeamElement> elements_;
-  std::vector<ElementPlace> now_; ///< of the elements
+  std::vector<ElementPosition> now_; ///< of the elements
   std::vector<double> masses_, q_, v_;
 };
 

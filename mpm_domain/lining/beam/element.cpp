@@ -5,27 +5,28 @@
 
 namespace tremolo::mpm_domain {
 
-std::array<std::array<double, 6>, 3> ElementPlace::strain_rows() const {
+std::array<std::array<double, 6>, 3> ElementPosition::strain_rows() const {
   const auto [c, s] = axis;
   const double cl = c / length;
   const double sl = s / length;
   return {{{-c, -s, 0.0, c, s, 0.0}, {-sl, cl, 1.0, sl, -cl, 0.0}, {-sl, cl, 0.0, sl, -cl, 1.0}}};
 }
 
-ElementPlace place_of(const BeamElement& element, std::span<const double> q) {
+ElementPosition position_of(const BeamElement& element, std::span<const double> q) {
   const auto& [xa, ya, turn_a, xb, yb, turn_b] = element.dofs;
   const Vector chord{q[xb] - q[xa], q[yb] - q[ya]};
-  ElementPlace place;
-  place.length = std::sqrt(square(chord));
-  place.axis = chord / place.length;
+  ElementPosition position;
+  position.length = std::sqrt(square(chord));
+  position.axis = chord / position.length;
   const double turn = std::atan2(chord.y, chord.x) - element.angle;
   const auto local = [&](double theta) {
     const double angle = theta - turn;
     return std::abs(angle) < std::numbers::pi ? angle : std::remainder(angle, 2.0 * std::numbers::pi);
   };
-  place.strain = {place.length - element.length + element.strain_before[0],
-                  local(q[turn_a]) + element.strain_before[1], local(q[turn_b]) + element.strain_before[2]};
-  return place;
+  position.strain = {position.length - element.length + element.strain_before[0],
+                     local(q[turn_a]) + element.strain_before[1],
+                     local(q[turn_b]) + element.strain_before[2]};
+  return position;
 }
 
 std::array<std::array<double, 3>, 3> stiffness_of(const BeamElement& element, const BeamSection& section) {

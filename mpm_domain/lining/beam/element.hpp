@@ -34,7 +34,7 @@ struct BeamElement {
 };
 
 /// Present position of an element.
-struct ElementPlace {
+struct ElementPosition {
   Vector axis;         ///< along the chord, from a to b
   double length = 0.0; ///< l, m
   ElementStrain strain{};
@@ -44,7 +44,7 @@ struct ElementPlace {
 };
 
 /// @param q  of the beam
-ElementPlace place_of(const BeamElement& element, std::span<const double> q);
+ElementPosition position_of(const BeamElement& element, std::span<const double> q);
 
 /// D.
 std::array<std::array<double, 3>, 3> stiffness_of(const BeamElement& element, const BeamSection& section);

@@ -30,15 +30,15 @@ public:
       for (const NodeShare& at : of.soil) {
         const auto i = static_cast<int>((at.node - first) % columns);
         const auto j = static_cast<int>((at.node - first) / columns);
-        if (!window.has(i, j) || has_[window.place(i, j)] != 0)
+        if (!window.has(i, j) || has_[window.index(i, j)] != 0)
           continue;
-        has_[window.place(i, j)] = 1;
+        has_[window.index(i, j)] = 1;
         for (int b = j - 2; b <= j + 1; ++b)
           for (int a = i - 2; a <= i + 1; ++a)
             reaches_[cell(a, b)] = 1;
       }
   }
-  bool has(int i, int j) const { return window_.has(i, j) && has_[window_.place(i, j)] != 0; }
+  bool has(int i, int j) const { return window_.has(i, j) && has_[window_.index(i, j)] != 0; }
   /// Whether particles of a cell, by its lower left node, reach a node of a segment.
   bool is_reached_from(int i, int j) const {
     const int a = i - window_.i0 + 2;
@@ -83,7 +83,7 @@ std::vector<Sealed> sum_sealed(const Ground& ground, std::span<const NearParticl
         const int j = wy.base + static_cast<int>(b);
         if (!nodes.has(i, j))
           continue;
-        Sealed& sum = sums[window.place(i, j)];
+        Sealed& sum = sums[window.index(i, j)];
         sum.volume += p.volume[k] * wx.s[a] * wy.s[b];
         sum.force.x += p.volume[k] * excess * wx.g[a] * wy.s[b];
         sum.force.y += p.volume[k] * excess * wx.s[a] * wy.g[b];
@@ -115,7 +115,7 @@ WaterBefore find_water_before(const Ground& ground, std::span<const NearParticle
       const std::size_t n = lattice.index(i, j);
       if (!nodes.has(i, j) || grid.mass[n] <= empty)
         continue;
-      const Sealed& of_sealed = sealed[window.place(i, j)];
+      const Sealed& of_sealed = sealed[window.index(i, j)];
       const bool flows = flows_at(grid, n);
       const double flowing = flows ? density * grid.wet_volume[n] : 0.0;
       const double mass = density * of_sealed.volume + flowing;
@@ -129,7 +129,7 @@ WaterBefore find_water_before(const Ground& ground, std::span<const NearParticle
       before.nodes.push_back({n, mass, v + push / mass});
     }
   for (const SegmentRows& of : rows)
-    before.least.push_back(ground.spec.water->fluid.cavitation_pressure - rest_pressure(ground, of.place));
+    before.least.push_back(ground.spec.water->fluid.cavitation_pressure - rest_pressure(ground, of.position));
   return before;
 }
 

@@ -23,11 +23,11 @@ std::vector<double> flat(const std::vector<Vector>& corners) {
 }
 
 /// Position of a body at the time of its velocity, half a step before the present.
-struct BodyPlace {
+struct BodyPosition {
   Vector centre;
   double tilt;
 
-  BodyPlace(const RigidBody& body, double dt)
+  BodyPosition(const RigidBody& body, double dt)
       : centre(body.centre() - 0.5 * dt * body.motion().velocity),
         tilt(body.tilt() - 0.5 * dt * body.motion().spin) {}
 
@@ -72,7 +72,7 @@ BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::
                     std::array{results::Attribute{"structure", names[*monitor.structure]}});
     const Vector& start = bodies[*monitor.structure].start();
     followers_.push_back(
-        {*monitor.structure, Vector{monitor.point.x, monitor.point.y} - start, {}, {}, &series});
+        {*monitor.structure, monitor.point - start, {}, {}, &series});
     series_.emplace_back(path, &series);
   }
 }
@@ -123,11 +123,11 @@ void BodyOutput::write_history(const Stepper& stepper) {
 void BodyOutput::write_body(std::size_t b, const Stepper& stepper) {
   const RigidBody& body = domain_.contact.bodies()[b];
   const RigidMotion& u = body.motion();
-  const BodyPlace place(body, stepper.dt());
+  const BodyPosition position(body, stepper.dt());
   const BodyForces forces = domain_.contact.forces(b);
   const double n = stepper.speed_of_time();
-  std::vector<double> row{stepper.time_of_soil(), place.centre.x,   place.centre.y, place.tilt,
-                          u.velocity.x / n,       u.velocity.y / n, u.spin / n};
+  std::vector<double> row{stepper.time_of_soil(), position.centre.x, position.centre.y, position.tilt,
+                          u.velocity.x / n,       u.velocity.y / n,  u.spin / n};
   for (const RigidLoad& load : {forces.normal, forces.friction, forces.water, forces.weight})
     row.insert(row.end(), {load.force.x, load.force.y, load.moment});
   bodies_[b]->append(row);
@@ -135,20 +135,21 @@ void BodyOutput::write_body(std::size_t b, const Stepper& stepper) {
 
 void BodyOutput::write_follower(const Follower& follower, const Stepper& stepper) {
   const RigidBody& body = domain_.contact.bodies()[follower.body];
-  const BodyPlace place(body, stepper.dt());
-  const Vector arm = place.turned(follower.arm);
+  const BodyPosition position(body, stepper.dt());
+  const Vector arm = position.turned(follower.arm);
   // The centre's displacement and the arm's, so that rounding of large coordinates stays out of it.
-  const Vector u = place.centre - body.start() + (arm - follower.arm);
+  const Vector u = position.centre - body.start() + (arm - follower.arm);
   const double n = stepper.speed_of_time();
-  follower.series->append(std::array{stepper.time_of_soil(), place.centre.x + arm.x, place.centre.y + arm.y,
-                                     u.x, u.y, follower.velocity.x / n, follower.velocity.y / n,
-                                     follower.acceleration.x / (n * n), follower.acceleration.y / (n * n)});
+  follower.series->append(std::array{stepper.time_of_soil(), position.centre.x + arm.x,
+                                     position.centre.y + arm.y, u.x, u.y, follower.velocity.x / n,
+                                     follower.velocity.y / n, follower.acceleration.x / (n * n),
+                                     follower.acceleration.y / (n * n)});
 }
 
 void BodyOutput::after_step(const Stepper& stepper) {
   for (Follower& follower : followers_) {
     const RigidBody& body = domain_.contact.bodies()[follower.body];
-    const Vector v = body.motion().at(BodyPlace(body, stepper.dt()).turned(follower.arm));
+    const Vector v = body.motion().at(BodyPosition(body, stepper.dt()).turned(follower.arm));
     follower.acceleration = (v - follower.velocity) / stepper.kick();
     follower.velocity = v;
   }
@@ -158,7 +159,7 @@ ContactFrame BodyOutput::contact(const Stepper& stepper) const {
   const double dt = stepper.kick();
   ContactFrame frame;
   const auto add = [&](const ContactNode& node, std::size_t body, const Vector& normal) {
-    frame.position.insert(frame.position.end(), {node.place.x, node.place.y});
+    frame.position.insert(frame.position.end(), {node.position.x, node.position.y});
     frame.normal.insert(frame.normal.end(), {normal.x, normal.y});
     frame.body.push_back(static_cast<std::int32_t>(body));
     frame.area.push_back(node.area);

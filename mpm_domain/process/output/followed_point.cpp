@@ -42,12 +42,12 @@ double largest_pressure_ratio(const Ground& ground) {
   return largest;
 }
 
-Vector place(const Particles& set, std::size_t k, double dt) {
+Vector position_of(const Particles& set, std::size_t k, double dt) {
   return {set.x[k] - 0.5 * dt * set.vx[k], set.y[k] - 0.5 * dt * set.vy[k]};
 }
 
 Vector displacement(const Particles& set, std::size_t k, double dt) {
-  const auto [x, y] = place(set, k, dt);
+  const auto [x, y] = position_of(set, k, dt);
   return {x - set.x_initial[k], y - set.y_initial[k]};
 }
 
@@ -59,7 +59,7 @@ ParticleMotion motion_in_space(const Snapshot& snapshot, ParticleName particle, 
   const double n = stepper.speed_of_time();
   const BaseMotion base = stepper.domain().boundary.base_motion();
   const auto sum = [](Vector p, Vector q, double unit) { return (p + q) / unit; };
-  return {place(set, k, dt), sum(displacement(set, k, dt), base.displacement, 1.0),
+  return {position_of(set, k, dt), sum(displacement(set, k, dt), base.displacement, 1.0),
           sum(snapshot.velocity(s, k), base.velocity, n),
           sum(snapshot.acceleration(s, k), base.acceleration, n * n)};
 }

@@ -28,14 +28,14 @@ WaterState water_state(const Particles& set, std::size_t k);
 double largest_pressure_ratio(const Ground& ground);
 
 /// Position of a particle at the time of its velocity, half a step before the present, m.
-Vector place(const Particles& set, std::size_t k, double dt);
+Vector position_of(const Particles& set, std::size_t k, double dt);
 
 /// Displacement since the start at the time of the velocity, m.
 Vector displacement(const Particles& set, std::size_t k, double dt);
 
 /// A particle's motion in time of the soil, half a step before the present.
 struct ParticleMotion {
-  Vector place;        ///< on a rigid base, where there is one, m
+  Vector position;     ///< on a rigid base, where there is one, m
   Vector displacement; ///< in space, as the others, m
   Vector velocity;     ///< m/s
   Vector acceleration; ///< m/s2

@@ -14,7 +14,7 @@ namespace {
 std::vector<double> start_of(const Beam& beam) {
   std::vector<double> nodes;
   for (std::size_t k = 0; k < beam.node_count(); ++k)
-    nodes.insert(nodes.end(), {beam.place(k).x, beam.place(k).y});
+    nodes.insert(nodes.end(), {beam.position(k).x, beam.position(k).y});
   return nodes;
 }
 
@@ -22,7 +22,7 @@ std::vector<double> start_of(const Beam& beam) {
 Vector middle_of(const SurfaceSegment& segment, const Beam& beam) {
   Vector sum{};
   for (const SurfacePoint& point : segment.points) {
-    sum += place(point, beam);
+    sum += position_of(point, beam);
   }
   const auto count = static_cast<double>(segment.points.size());
   return sum / count;
@@ -104,7 +104,7 @@ void LiningOutput::write_history(const Stepper& stepper) {
     const Beam& beam = lining.beam();
     std::vector<double> row{stepper.time_of_soil()};
     for (std::size_t k = 0; k < beam.elements().size(); ++k) {
-      const Vector at = beam.place(k) - back * beam.velocity(k);
+      const Vector at = beam.position(k) - back * beam.velocity(k);
       const SectionForces forces = beam.forces(k);
       row.insert(row.end(), {at.x, at.y, forces.axial, forces.shear, forces.moment});
     }

@@ -36,8 +36,8 @@ PropOutput::PropOutput(const Domain& domain, results::RunWriter& writer) : domai
 void PropOutput::write_history(const Stepper& stepper) {
   for (std::size_t n = 0; n < series_.size(); ++n) {
     const Props::Placed& prop = domain_.props.all()[n];
-    const Vector from = prop.from.place(domain_, domain_.contact);
-    const Vector to = prop.to.place(domain_, domain_.contact);
+    const Vector from = prop.from.position(domain_, domain_.contact);
+    const Vector to = prop.to.position(domain_, domain_.contact);
     series_[n].second->append(std::vector<double>{stepper.time_of_soil(), prop.spring.force(), prop.length,
                                                   from.x, from.y, to.x, to.y});
   }

@@ -99,8 +99,8 @@ void RunOutput::add_monitors() {
 void RunOutput::add_lines() {
   for (const scene::Line& line : scene_.lines) {
     std::vector<FollowedPoint> points;
-    for (const scene::Point& place : scene::points_along(line.from, line.to, line.spacing)) {
-      const FollowedPoint point(domain_, place);
+    for (const scene::Point& position : scene::points_along(line.from, line.to, line.spacing)) {
+      const FollowedPoint point(domain_, position);
       // A line may be finer than the particles.
       if (points.empty() || !(points.back() == point))
         points.push_back(point);

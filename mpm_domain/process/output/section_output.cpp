@@ -47,7 +47,7 @@ void SectionOutput::write_history(const Stepper& stepper) {
     const BodySection& section = domain_.sections.all()[s];
     std::vector<double> row{stepper.time_of_soil()};
     for (std::size_t cut = 0; cut < section.cuts.size(); ++cut) {
-      const CutPlace at = place(domain_, section, cut, 0.5 * stepper.dt());
+      const CutPosition at = position_of(domain_, section, cut, 0.5 * stepper.dt());
       const SectionForces passing = forces(domain_, section, cut);
       row.insert(row.end(),
                  {at.middle.x, at.middle.y, at.turn, passing.axial, passing.shear, passing.moment});

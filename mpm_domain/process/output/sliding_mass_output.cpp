@@ -33,7 +33,7 @@ std::vector<std::uint32_t> members(const scene::Polygon& outline, const Particle
     if (k == Particles::nowhere)
       continue;
     const scene::Point start{set.x_initial[k], set.y_initial[k]};
-    if (box.contains(start) && contains(outline, start))
+    if (box.contains(start) && scene::contains(outline, start))
       members.push_back(k);
   }
   return members;

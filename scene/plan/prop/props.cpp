@@ -71,21 +71,21 @@ double density_of_soil(const Case& scene, const Point& p) {
 double mobility(const Case& scene, const Prop::End& end) {
   const auto found = std::ranges::find(scene.structures, end.structure, &Structure::name);
   if (found == scene.structures.end())
-    return mobility_of_particles(scene, end.place, [&](const Point& p) { return density_of_soil(scene, p); });
+    return mobility_of_particles(scene, end.position, [&](const Point& p) { return density_of_soil(scene, p); });
   if (found->stiffness)
-    return mobility_of_particles(scene, end.place, [&](const Point& p) { return density_in(*found, p); });
+    return mobility_of_particles(scene, end.position, [&](const Point& p) { return density_in(*found, p); });
   const double solid = area(found->outline.corners) - (found->hole ? area(found->hole->corners) : 0.0);
   return 4.0 / (found->density * solid);
 }
 
 double length_of(const Prop& prop) {
-  return std::hypot(prop.to.place.x - prop.from.place.x, prop.to.place.y - prop.from.place.y);
+  return std::hypot(prop.to.position.x - prop.from.position.x, prop.to.position.y - prop.from.position.y);
 }
 
 std::string end_text(const Prop::End& end) {
   return fmt::format("{} at ({:g}, {:g})",
-                     end.structure.empty() ? "the ground" : fmt::format("'{}'", end.structure), end.place.x,
-                     end.place.y);
+                     end.structure.empty() ? "the ground" : fmt::format("'{}'", end.structure), end.position.x,
+                     end.position.y);
 }
 
 std::string bears_text(const Prop& prop) {

@@ -15,14 +15,14 @@ namespace {
 
 /// Why an end holds on to nothing; empty: it does hold.
 std::string why_loose(const Case& scene, const Prop& prop, const Prop::End& end) {
-  const auto [x, y] = end.place;
+  const auto [x, y] = end.position;
   const std::string at = fmt::format("'at' [{:g}, {:g}]", x, y);
   if (end.structure.empty()) {
-    if (const Structure* const around = structure_around(scene, end.place))
+    if (const Structure* const around = structure_around(scene, end.position))
       return fmt::format("{} lies in structure '{}': say structure = \"{}\"", at, around->name, around->name);
-    if (const Lining* const around = lining_around(scene, end.place))
+    if (const Lining* const around = lining_around(scene, end.position))
       return fmt::format("{} lies in the cavity of lining '{}'", at, around->name);
-    return in_soil(scene, end.place)
+    return in_soil(scene, end.position)
                ? std::string()
                : fmt::format("{} lies in no soil while the prop '{}' stands: move it, or name a structure",
                              at, prop.name);
@@ -31,9 +31,9 @@ std::string why_loose(const Case& scene, const Prop& prop, const Prop::End& end)
   if (found == scene.structures.end())
     return fmt::format("the structure '{}' does not stand all the time that the prop '{}' does",
                        end.structure, prop.name);
-  if (!contains(found->outline.corners, end.place))
+  if (!contains(found->outline.corners, end.position))
     return fmt::format("{} lies outside structure '{}', to which the prop is fastened", at, found->name);
-  if (found->hole && strictly_inside(found->hole->corners, end.place))
+  if (found->hole && strictly_inside(found->hole->corners, end.position))
     return fmt::format("{} lies in the hole of structure '{}'", at, found->name);
   return {};
 }
@@ -56,11 +56,11 @@ void props_are_fastened(const Case& scene, Findings& findings) {
                             prop.from.structure));
       continue;
     }
-    if (prop.from.place.x == prop.to.place.x && prop.from.place.y == prop.to.place.y)
+    if (prop.from.position.x == prop.to.position.x && prop.from.position.y == prop.to.position.y)
       findings.add(prop.path + ".to.at",
                    fmt::format("'at' [{:g}, {:g}] is the other end too, must be apart: a prop acts along the "
                                "line between its ends",
-                               prop.to.place.x, prop.to.place.y));
+                               prop.to.position.x, prop.to.position.y));
     for (const auto& [end, key] : {std::pair{&prop.from, ".from"}, std::pair{&prop.to, ".to"}})
       if (const std::string why = why_loose(scene, prop, *end); !why.empty())
         findings.add(prop.path + key + ".at", why);

@@ -31,8 +31,8 @@ std::string prop_in(const Case& scene, const Region& region) {
   const double reach = contact_cell_size(scene) * (1.0 + 1.0 / scene.mesh.particles_per_cell);
   for (const Prop& prop : scene.props)
     for (const Prop::End* end : {&prop.from, &prop.to})
-      if (end->structure.empty() && (contains(region.polygon, end->place) ||
-                                     std::ranges::any_of(circle(end->place, reach), [&](Point p) {
+      if (end->structure.empty() && (contains(region.polygon, end->position) ||
+                                     std::ranges::any_of(circle(end->position, reach), [&](Point p) {
                                        return contains(region.polygon, p);
                                      })))
         return fmt::format("the prop '{}'", prop.name);

@@ -29,7 +29,6 @@ namespace {
 using namespace tremolo;
 using mpm_domain::Dispersion;
 using mpm_domain::Particles;
-using mpm_domain::Vector;
 using test_support::PlanePulse;
 using test_support::PulseColumn;
 using test_support::PulseGround;

@@ -91,7 +91,7 @@ std::vector<double> settle(const ScatteringRun& run) {
   mpm_domain::Stepper stepper(domain, 0.0, quiet_ground());
   while (stepper.time() < 40.0)
     stepper.step();
-  std::vector<std::pair<double, mpm_domain::Vector>> moved; // by place, for all boxes alike
+  std::vector<std::pair<double, Vector>> moved; // by place, for all boxes alike
   for (std::size_t k = 0; k < set.size(); ++k)
     if (set.y_initial[k] > -0.5 * run.cell && std::abs(set.x_initial[k]) < 20.0)
       moved.push_back({set.x_initial[k], {set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]}});

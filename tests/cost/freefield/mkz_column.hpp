@@ -37,9 +37,9 @@ inline InputVelocity strong_shaking(double peak, double incidence = 0.0) {
     samples.push_back(envelope * (std::sin(9.0 * t) + std::sin(23.0 * t + 1.0) + std::sin(41.0 * t)) / 3.0);
   }
   return [samples, c = std::cos(incidence), s = std::sin(incidence)](double t) {
-    const double place = std::clamp(t / record_step, 0.0, static_cast<double>(samples.size() - 2));
-    const auto i = static_cast<std::size_t>(place);
-    const double v = std::lerp(samples[i], samples[i + 1], place - static_cast<double>(i));
+    const double position = std::clamp(t / record_step, 0.0, static_cast<double>(samples.size() - 2));
+    const auto i = static_cast<std::size_t>(position);
+    const double v = std::lerp(samples[i], samples[i + 1], position - static_cast<double>(i));
     return Velocity{v * c, -v * s};
   };
 }

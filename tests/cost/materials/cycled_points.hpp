@@ -21,7 +21,7 @@ public:
                double rotation = 0.0)
       : law_(law), amplitude_(amplitude), vertical_(vertical), stress_(4 * count),
         state_(count * state_variables(law).size()), work_(count), zero_(count), rotation_(count, rotation),
-        shear_(count), place_(count) {
+        shear_(count), position_(count) {
     points_.count = count;
     points_.sxx = stress_.data();
     points_.syy = points_.sxx + count;
@@ -43,22 +43,22 @@ public:
     if (++step_ > last_step_) {
       restart();
     }
-    for (std::size_t i = 0; i < place_.size(); ++i) {
-      if (std::abs(place_[i] + shear_[i]) > amplitude_) {
+    for (std::size_t i = 0; i < position_.size(); ++i) {
+      if (std::abs(position_[i] + shear_[i]) > amplitude_) {
         shear_[i] = -shear_[i];
       }
-      place_[i] += shear_[i];
+      position_[i] += shear_[i];
     }
     update(law_, points_);
   }
 
 private:
   void restart() {
-    for (std::size_t i = 0; i < place_.size(); ++i) {
+    for (std::size_t i = 0; i < position_.size(); ++i) {
       points_.sxx[i] = points_.szz[i] = 0.5 * vertical_;
       points_.syy[i] = vertical_;
       points_.sxy[i] = 0.0;
-      place_[i] = amplitude_ * static_cast<double>(i % 100) / 100.0;
+      position_[i] = amplitude_ * static_cast<double>(i % 100) / 100.0;
       shear_[i] = std::abs(shear_[i]);
     }
     initialise(law_, points_);
@@ -71,8 +71,8 @@ private:
   long step_ = 0;
   long last_step_ = 0;
   std::vector<double> stress_, state_, work_, zero_, rotation_;
-  std::vector<double> shear_; ///< increment of each point
-  std::vector<double> place_; ///< strain of each point
+  std::vector<double> shear_;    ///< increment of each point
+  std::vector<double> position_; ///< strain of each point
   Points points_;
 };
 

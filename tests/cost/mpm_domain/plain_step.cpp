@@ -16,10 +16,10 @@ struct Weights {
 };
 
 /// @param place, half  particle and half its box, in cells from node 0
-Weights weights(double place, double half, double h) {
-  Weights w{static_cast<int>(place - half), {}, {}};
-  const double before = w.base + 1 - (place - half); // the box's part before the second node, or all of it
-  const double beyond = place + half - (w.base + 1);
+Weights weights(double position, double half, double h) {
+  Weights w{static_cast<int>(position - half), {}, {}};
+  const double before = w.base + 1 - (position - half); // the box's part before the second node, or all of it
+  const double beyond = position + half - (w.base + 1);
   const double short_of = beyond < 0.0 ? -beyond : 0.0;
   const double past = beyond > 0.0 ? beyond : 0.0;
   const double box = 2.0 * half;

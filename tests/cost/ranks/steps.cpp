@@ -47,7 +47,7 @@ double memory(const std::string& line) {
 
 /// Nothing arrives from outside, which rank 0 tells the others as in a run.
 mpm_domain::FreeFieldSource quiet_ground(const Domain& domain) {
-  return [&domain](long, double, std::span<const mpm_domain::Vector>, std::span<eq6::FreeField> field) {
+  return [&domain](long, double, std::span<const Vector>, std::span<eq6::FreeField> field) {
     std::ranges::fill(field, eq6::FreeField{});
     constexpr std::size_t numbers_per_face = 5;
     std::vector<double> told(numbers_per_face * field.size(), 0.0);

@@ -40,13 +40,13 @@ void lift(ContactNormals normals) {
   for (const double h : {1.0, 0.5, 0.25, 0.125}) {
     double error = 0.0;
     double tangential = 0.0;
-    constexpr double places[] = {0.0, 0.13, 0.29, 0.41};
-    for (const double place : places) {
+    constexpr double positions[] = {0.0, 0.13, 0.29, 0.41};
+    for (const double position : positions) {
       Spec spec = saturated_flat_ground(20.0, 12.0, h, materials::Drainage::undrained, 1e7);
       spec.normals = normals;
-      const TunnelForces forces = tunnel_forces(spec, place * h);
-      error += std::abs(forces.total_lift() / TunnelForces::of_fluid - 1.0) / std::size(places);
-      tangential += forces.along / forces.pressed / std::size(places);
+      const TunnelForces forces = tunnel_forces(spec, position * h);
+      error += std::abs(forces.total_lift() / TunnelForces::of_fluid - 1.0) / std::size(positions);
+      tangential += forces.along / forces.pressed / std::size(positions);
     }
     fmt::print("tunnel,{},,{},{:.4g},{:.4g}\n", name(normals), h, error, tangential);
     std::fflush(stdout);

@@ -42,13 +42,13 @@ public:
   explicit TrappedWaves(Basis basis) {
     const GradedMesh mesh = test::l_shaped_mesh();
     finest_ = mesh.tree().size(mesh.tree().finest());
-    std::map<std::size_t, std::size_t> places;
+    std::map<std::size_t, std::size_t> positions;
     for (const mesh::Cell& leaf : mesh.tree().leaves()) {
       const mesh::Rectangle cell = mesh.tree().rectangle(leaf);
       const double l = 0.25 * mesh.tree().size(leaf.level);
       for (const double a : {1.0, 3.0})
         for (const double b : {1.0, 3.0})
-          add(mesh, test::box_at(cell.x_min + a * l, cell.y_min + b * l, l), basis, places);
+          add(mesh, test::box_at(cell.x_min + a * l, cell.y_min + b * l, l), basis, positions);
     }
     set_velocities();
   }
@@ -69,18 +69,18 @@ public:
 
 private:
   void add(const GradedMesh& mesh, const mesh::Rectangle& box, Basis basis,
-           std::map<std::size_t, std::size_t>& places) {
+           std::map<std::size_t, std::size_t>& positions) {
     Point& point = points_.emplace_back();
     point.area = box.area();
     for (const auto& [node, w] : test::real_weights(mesh, box, basis)) {
-      const auto [place, is_new] = places.try_emplace(node, nodes_.size());
+      const auto [position, is_new] = positions.try_emplace(node, nodes_.size());
       if (is_new) {
         const auto inside = [](double a) { return a > 1e-9 && a < side - 1e-9; };
         nodes_.push_back({.fixed = !inside(w.x) || !inside(w.y)});
         at_.push_back({w.x, w.y});
       }
-      nodes_[place->second].mass += w.s * density * point.area;
-      point.weights.emplace_back(place->second, w);
+      nodes_[position->second].mass += w.s * density * point.area;
+      point.weights.emplace_back(position->second, w);
     }
   }
 

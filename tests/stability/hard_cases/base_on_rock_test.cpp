@@ -73,15 +73,15 @@ double error(const Run& run) {
   for (wavefield::History& history :
        histories(Side::base, run.incident ? wavefield::Part::incident : wavefield::Part::total))
     exact.push_back(std::move(history));
-  std::vector<wavefield::Point> places;
+  std::vector<wavefield::Point> positions;
   const Particles& p = domain.sets.front();
   std::vector<std::uint32_t> watched; // one in sixteen
   for (std::uint32_t id = 0; id < p.size(); id += 16) {
     watched.push_back(id);
-    places.push_back({p.x_initial[p.index_of[id]], p.y_initial[p.index_of[id]]});
+    positions.push_back({p.x_initial[p.index_of[id]], p.y_initial[p.index_of[id]]});
   }
   const auto particles =
-      field.sample(places, {-0.5 * dt, dt, steps + 1}, wavefield::Part::total,
+      field.sample(positions, {-0.5 * dt, dt, steps + 1}, wavefield::Part::total,
                    {.displacement = false, .stress = false, .strain = false, .rates = false});
 
   Stepper stepper(domain, 0.0, [&](long step, double, auto, std::span<eq6::FreeField> at_faces) {

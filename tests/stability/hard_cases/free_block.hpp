@@ -32,7 +32,7 @@ template <typename Field>
 void set_velocity(mpm_domain::Domain& domain, const Field& field) {
   for (mpm_domain::Particles& p : domain.sets)
     for (std::size_t k = 0; k < p.size(); ++k) {
-      const mpm_domain::Vector v = field(p.x[k], p.y[k]);
+      const Vector v = field(p.x[k], p.y[k]);
       p.vx[k] = v.x;
       p.vy[k] = v.y;
     }

@@ -14,7 +14,6 @@ namespace tremolo {
 namespace {
 
 using namespace test_support;
-using mpm_domain::Vector;
 using testing::HasSubstr;
 
 /// A block without faces: all its sides are free.

@@ -21,7 +21,7 @@ struct Drift {
   double cells = 0.0;     ///< moved
 };
 
-Drift run_drifting_box(double fraction, mpm_domain::Vector drift) {
+Drift run_drifting_box(double fraction, Vector drift) {
   mpm_domain::Spec spec = test_support::elastic_box(40.0, 20.0, 1.0);
   spec.scheme.fraction = fraction;
   mpm_domain::Domain domain(spec);
@@ -55,7 +55,7 @@ Drift run_drifting_box(double fraction, mpm_domain::Vector drift) {
 // at the critical step itself as well as at half of it.
 TEST(DriftingBoundary, ThreeCellsDuringShaking) {
   for (const double fraction : {0.5, 1.0})
-    for (const mpm_domain::Vector drift : {mpm_domain::Vector{1.5, 0.4}, mpm_domain::Vector{-1.5, -0.4}}) {
+    for (const Vector drift : {Vector{1.5, 0.4}, Vector{-1.5, -0.4}}) {
       const Drift result = run_drifting_box(fraction, drift);
       EXPECT_GT(result.cells, 3.0);
       EXPECT_LT(result.max_speed, 0.21) << "fraction " << fraction << ", drift " << drift.x;

@@ -31,12 +31,12 @@ Spec heap() {
 /// Particles beside their places, with random velocities (m/s) and stresses (Pa).
 void shake(Domain& domain) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  std::uniform_real_distribution<double> position(-0.1, 0.1);
   std::normal_distribution<double> normal;
   for (Particles& p : domain.sets)
     for (std::size_t k = 0; k < p.size(); ++k) {
-      p.x[k] += 0.17 + place(random);
-      p.y[k] += 0.08 + place(random);
+      p.x[k] += 0.17 + position(random);
+      p.y[k] += 0.08 + position(random);
       p.vx[k] = normal(random);
       p.vy[k] = normal(random);
       for (std::vector<double>* moment : {&p.bxx, &p.bxy, &p.byx, &p.byy})

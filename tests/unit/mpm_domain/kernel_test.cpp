@@ -40,9 +40,9 @@ protected:
 
 TEST_P(Kernel, WeightsAreTheAveragedHatFunctions) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::uniform_real_distribution<double> position(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
-    const double x = place(random);
+    const double x = position(random);
     for (const Weights& w : all_weights(x))
       for (int a = 0; a < 4; ++a)
         EXPECT_NEAR(w.s[a], averaged_hat(axis_.origin + (w.base + a) * axis_.h, x, axis_, half_side_),
@@ -52,9 +52,9 @@ TEST_P(Kernel, WeightsAreTheAveragedHatFunctions) {
 
 TEST_P(Kernel, ReproducesLinearFieldsAndTheirGradient) {
   std::mt19937 random(8);
-  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::uniform_real_distribution<double> position(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
-    const double x = place(random);
+    const double x = position(random);
     for (const Weights& w : all_weights(x)) {
       const Lanes d = axis_.origin + axis_.h * (w.base + Lanes{0.0, 1.0, 2.0, 3.0}) - x;
       EXPECT_NEAR(sum(w.s), 1.0, 1e-14);
@@ -81,7 +81,7 @@ TEST_P(Kernel, NothingCancelsWhereABoxLeavesANode) {
 
 TEST_P(Kernel, SecondMomentIsThatOfTheWeights) {
   std::mt19937 random(10);
-  std::uniform_real_distribution<double> place(0.0, 1.0);
+  std::uniform_real_distribution<double> position(0.0, 1.0);
   const auto moment = [&](const auto& s, double first, double xi) {
     double m = 0.0;
     for (std::size_t i = 0; i < s.size(); ++i)
@@ -89,7 +89,7 @@ TEST_P(Kernel, SecondMomentIsThatOfTheWeights) {
     return m;
   };
   for (int i = 0; i < 200; ++i) {
-    const double xi = place(random);
+    const double xi = position(random);
     const CellWeights<double> cell(xi, axis_, box_);
     EXPECT_NEAR(cell.second_moment, moment(cell.s, -1.0, xi), 1e-15);
     EXPECT_GE(cell.second_moment, half_side_ * half_side_ / 3.0 - 1e-15);
@@ -132,10 +132,10 @@ TEST_P(Kernel, FourBoxesAtOnceAreFourBoxes) {
 
 TEST_P(Kernel, GradientIsTheDerivativeOfTheWeight) {
   std::mt19937 random(9);
-  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::uniform_real_distribution<double> position(-1.0, 1.0);
   const double step = 1e-6;
   for (int i = 0; i < 50; ++i) {
-    const double x = place(random);
+    const double x = position(random);
     const Weights w = cell_weights(x, axis_, half_side_);
     const Weights left = cell_weights(x - step, axis_, half_side_);
     const Weights right = cell_weights(x + step, axis_, half_side_);

@@ -47,15 +47,15 @@ Domain shuffled_box(Transfer transfer, ParticleBoxes boxes = ParticleBoxes::fixe
 /// Particles at random places with random velocities and, where they follow the soil, boxes of any size.
 void shuffle(Domain& domain) {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> place(-0.2, 0.2);
+  std::uniform_real_distribution<double> position(-0.2, 0.2);
   std::normal_distribution<double> speed;
   std::uniform_real_distribution<double> half_side(0.02, 0.6);
   Particles& p = domain.sets.front();
   for (std::vector<double>* moment : {&p.box_xx, &p.box_yy})
     std::ranges::generate(*moment, [&] { return std::pow(half_side(random), 2); });
   for (std::size_t k = 0; k < p.size(); ++k) {
-    p.x[k] += place(random);
-    p.y[k] += place(random);
+    p.x[k] += position(random);
+    p.y[k] += position(random);
     p.vx[k] = speed(random);
     p.vy[k] = speed(random);
     if (p.traits.affine) {

@@ -20,9 +20,9 @@ TEST(Prop, IsRead) {
   const Prop& prop = scene.props.at(0);
   EXPECT_EQ(prop.name, "anchor");
   EXPECT_EQ(prop.from.structure, "block");
-  EXPECT_EQ(prop.from.place.y, 2.0);
+  EXPECT_EQ(prop.from.position.y, 2.0);
   EXPECT_EQ(prop.to.structure, "");
-  EXPECT_EQ(prop.to.place.x, 4.0);
+  EXPECT_EQ(prop.to.position.x, 4.0);
   EXPECT_EQ(prop.stiffness, 2e6);
   EXPECT_EQ(prop.prestress, 1e5);
   EXPECT_EQ(prop.yield, 4e5);

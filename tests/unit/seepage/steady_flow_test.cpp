@@ -43,7 +43,7 @@ TEST(SteadyFlow, UpwardsLeavesAtTheSurface) {
   EXPECT_NEAR(flow.discharge, 4.3478261e-6, 1e-6 * flow.discharge); // 1 m wide
   EXPECT_EQ(flow.exits.size(), block.columns + 1);
   const std::size_t tight = block.rows - 1;
-  const Place i = gradient(block.problem, block.problem.elements[tight * block.columns], flow.heads);
+  const Vector i = gradient(block.problem, block.problem.elements[tight * block.columns], flow.heads);
   EXPECT_NEAR(i.y, -0.43478261, 1e-6);
   EXPECT_NEAR(i.x, 0.0, 1e-9);
 }
@@ -111,12 +111,12 @@ TEST(Elements, OfAnyShapeHoldALinearHead) {
   problem.transition = 0.25;
   problem.conditions.assign(problem.nodes.size(), Condition::head);
   problem.conditions[4] = Condition::none;
-  for (const Place& place : problem.nodes)
+  for (const Vector& place : problem.nodes)
     problem.given.push_back(20.0 + 0.3 * place.x - 0.7 * place.y);
   const SteadyFlow flow = solve(problem);
   EXPECT_NEAR(flow.heads[4], problem.given[4], 1e-9);
   for (const Element& element : problem.elements) {
-    const Place i = gradient(problem, element, flow.heads);
+    const Vector i = gradient(problem, element, flow.heads);
     EXPECT_NEAR(i.x, 0.3, 1e-9);
     EXPECT_NEAR(i.y, -0.7, 1e-9);
   }

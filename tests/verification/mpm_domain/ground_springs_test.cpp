@@ -18,7 +18,6 @@
 namespace tremolo {
 namespace {
 
-using mpm_domain::Vector;
 using test_support::add_springs;
 
 /// Velocities of all particles every 10 steps while an oblique wave shakes level ground.

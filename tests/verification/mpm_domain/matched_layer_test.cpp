@@ -111,7 +111,7 @@ struct Ground {
   double width = 40.0; ///< m
   double depth = 20.0;
   bool layers = false;
-  eq6::Vector place{0.0, -8.0}; ///< from the middle of the surface, m
+  eq6::Vector position{0.0, -8.0}; ///< from the middle of the surface, m
 };
 
 std::vector<double> after_a_blow(const Ground& ground) {
@@ -120,7 +120,7 @@ std::vector<double> after_a_blow(const Ground& ground) {
   spec.scheme.dt = 1e-3;
   if (ground.layers)
     spec.matched_sides = {mpm_domain::Side::left, mpm_domain::Side::right, mpm_domain::Side::base};
-  return test_support::seen_after_a_blow(spec, 0.6, ground.place);
+  return test_support::seen_after_a_blow(spec, 0.6, ground.position);
 }
 
 // Waves of all angles, corners and the ground's surface: nothing comes back from the wide box within 0.6 s.
@@ -136,10 +136,10 @@ TEST(MatchedLayers, TakeUpABlowInTheGround) {
 // Near a corner most of what the layers take up goes along them into the corner. Where they ended there in
 // stretched dashpots, this difference was 6.0 %; now it is 2.1 %.
 TEST(MatchedLayers, TakeUpABlowNearACorner) {
-  const eq6::Vector place{-12.0, -12.0}; // 8 m from the side and from the base
-  const std::vector<double> wide = after_a_blow({.width = 140.0, .depth = 70.0, .place = place});
+  const eq6::Vector position{-12.0, -12.0}; // 8 m from the side and from the base
+  const std::vector<double> wide = after_a_blow({.width = 140.0, .depth = 70.0, .position = position});
   const double layers =
-      test_support::relative_difference(after_a_blow({.layers = true, .place = place}), wide);
+      test_support::relative_difference(after_a_blow({.layers = true, .position = position}), wide);
   RecordProperty("layers", std::to_string(layers));
   EXPECT_LT(layers, 0.03);
 }

@@ -183,7 +183,7 @@ SoilFrame::SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepp
       if (k == Particles::nowhere)
         continue;
       const Vector a = snapshot.acceleration(s, k);
-      const auto [x, y] = place(set, k, stepper.dt());
+      const auto [x, y] = position_of(set, k, stepper.dt());
       position.insert(position.end(), {x, y});
       const Vector moved = mpm_domain::displacement(set, k, stepper.dt());
       displacement.insert(displacement.end(), {moved.x, moved.y});

@@ -11,7 +11,7 @@ StructureFrame::StructureFrame(const Domain& domain, const Snapshot& snapshot, c
     for (const std::uint32_t k : set.index_of) {
       if (k == Particles::nowhere)
         continue;
-      const Vector at = place(set, k, stepper.dt());
+      const Vector at = position_of(set, k, stepper.dt());
       const Vector moved = mpm_domain::displacement(set, k, stepper.dt());
       position.insert(position.end(), {at.x, at.y});
       displacement.insert(displacement.end(), {moved.x, moved.y});

@@ -156,16 +156,16 @@ TEST(BodySurface, KnowsItsToes) {
   const auto below = angle.foot({0.3, -0.1}, {0.0, -1.0});
   ASSERT_TRUE(below);
   EXPECT_FALSE(below->toe);
-  EXPECT_NEAR(below->place.x, 0.3, 1e-15);
-  EXPECT_NEAR(below->place.y, 0.0, 1e-15);
+  EXPECT_NEAR(below->position.x, 0.3, 1e-15);
+  EXPECT_NEAR(below->position.y, 0.0, 1e-15);
   const auto beside = angle.foot({2.2, 0.1}, {0.0, -1.0}); // next to it is the edge on the right
   ASSERT_TRUE(beside);
   EXPECT_TRUE(beside->toe);
-  EXPECT_NEAR(beside->place.x, 2.0, 1e-15);
-  EXPECT_NEAR(beside->place.y, 0.0, 1e-15);
+  EXPECT_NEAR(beside->position.x, 2.0, 1e-15);
+  EXPECT_NEAR(beside->position.y, 0.0, 1e-15);
   const auto inner = angle.foot({0.9, 1.1}, {0.0, 1.0});
   ASSERT_TRUE(inner);
-  EXPECT_NEAR(inner->place.x, 1.0, 1e-15); // of the step; its end inside the angle is no toe
+  EXPECT_NEAR(inner->position.x, 1.0, 1e-15); // of the step; its end inside the angle is no toe
   EXPECT_FALSE(inner->toe);
 }
 

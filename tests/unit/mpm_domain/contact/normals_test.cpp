@@ -49,7 +49,7 @@ Errors errors(double degrees, double ratio) {
                     std::cos(angle) * v.y - std::sin(angle) * v.x};
     };
     // In the frame of the body, at the corner where x and y are positive.
-    Vector d = in_body(body.arm(c.place));
+    Vector d = in_body(body.arm(c.position));
     Vector n = in_body(c.normal);
     n = {d.x < 0.0 ? n.x : -n.x, d.y < 0.0 ? n.y : -n.y};
     d = {std::abs(d.x), std::abs(d.y)};

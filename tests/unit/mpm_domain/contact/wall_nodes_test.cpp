@@ -36,7 +36,7 @@ TEST(WallNodes, SharesAddUpToTheSurfaceAndItsMoments) {
   Vector moment; // hats reproduce linear fields
   for (int j = wall.window.j0; j < wall.window.j0 + wall.window.rows; ++j)
     for (int i = wall.window.i0; i < wall.window.i0 + wall.window.columns; ++i) {
-      const double share = wall.shares[wall.window.place(i, j)];
+      const double share = wall.shares[wall.window.index(i, j)];
       length += share;
       moment.x += (lattice.x0 + i * lattice.h) * share;
       moment.y += (lattice.y0 + j * lattice.h) * share;
@@ -51,7 +51,7 @@ TEST(WallNodes, AnEdgeOnALineOfTheGridBelongsToThatLineAlone) {
   const RigidBody body(structure(rectangle(-1.0, 0.0, 1.0, 2.0), 2000.0, 0.5));
   const Wall wall(body);
   const auto share = [&](double x, double y) {
-    return wall.shares[wall.window.place(static_cast<int>(std::lround((x - lattice.x0) / lattice.h)),
+    return wall.shares[wall.window.index(static_cast<int>(std::lround((x - lattice.x0) / lattice.h)),
                                          static_cast<int>(std::lround((y - lattice.y0) / lattice.h)))];
   };
   EXPECT_DOUBLE_EQ(share(0.0, 0.0), 0.5);

@@ -39,14 +39,14 @@ void expect_untouched(const Grid& grid, std::size_t line) {
 
 TEST(NodeFieldTable, HasEveryFieldOnce) {
   NodeFields fields;
-  std::set<const NodeField*> places;
+  std::set<const NodeField*> positions;
   std::set<std::string_view> names;
   for (const NodeFieldDescription& line : node_field_table) {
-    places.insert(&(fields.*line.field));
+    positions.insert(&(fields.*line.field));
     names.insert(line.name);
     EXPECT_FALSE(line.unit.empty()) << line.name;
   }
-  EXPECT_EQ(places.size(), node_field_table.size());
+  EXPECT_EQ(positions.size(), node_field_table.size());
   EXPECT_EQ(names.size(), node_field_table.size());
 }
 
@@ -85,7 +85,7 @@ TEST(NodeFieldTable, ClearingTakesTheGroupsOfAPart) {
     fill_with_numbers(domain.grid);
     clear(domain, part, half);
     for (std::size_t line = 0; line < node_field_table.size(); ++line) {
-      const auto& [name, unit, group, field] = node_field_table[line];
+      const auto& [name, unit, group, field, trait] = node_field_table[line];
       if (!groups.contains(group)) {
         expect_untouched(domain.grid, line);
         continue;
@@ -125,7 +125,7 @@ TEST_P(TiedNodes, HandOnTheFieldsOfAGroup) {
     fill_with_numbers(domain.grid);
     fold(domain, folded);
     for (std::size_t line = 0; line < node_field_table.size(); ++line) {
-      const auto& [name, unit, group, field] = node_field_table[line];
+      const auto& [name, unit, group, field, trait] = node_field_table[line];
       if (group != folded) {
         expect_untouched(domain.grid, line);
         continue;
@@ -152,7 +152,7 @@ TEST_P(TiedNodes, FollowInTheFieldsOfAGroup) {
     fill_with_numbers(domain.grid);
     prolong(domain, prolonged);
     for (std::size_t line = 0; line < node_field_table.size(); ++line) {
-      const auto& [name, unit, group, field] = node_field_table[line];
+      const auto& [name, unit, group, field, trait] = node_field_table[line];
       if (group != prolonged) {
         expect_untouched(domain.grid, line);
         continue;

@@ -117,21 +117,23 @@ TEST(BoxAverage, IsTheTensorProductOnOneLattice) {
     mesh::Rectangle within; // of the particle's centre
     double l;
   };
-  const std::vector<Place> places{{0, {0.3, 7.3, 7.5, 7.7}, 0.25},  // plain root cells
-                                  {1, {4.8, 2.6, 5.6, 3.2}, 0.125}, // half-metre leaves
-                                  {1, {1.26, 2.3, 1.7, 3.7}, 0.25}, // quarters of split root cells
-                                  {2, {2.63, 2.63, 3.37, 3.37}, 0.0625}};
+  const std::vector<Place> positions{{0, {0.3, 7.3, 7.5, 7.7}, 0.25},  // plain root cells
+                                     {1, {4.8, 2.6, 5.6, 3.2}, 0.125}, // half-metre leaves
+                                     {1, {1.26, 2.3, 1.7, 3.7}, 0.25}, // quarters of split root cells
+                                     {2, {2.63, 2.63, 3.37, 3.37}, 0.0625}};
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(0.0, 1.0);
-  for (const Place& place : places)
+  for (const Place& position : positions)
     for (int n = 0; n < 50; ++n) {
-      const double x = place.within.x_min + share(random) * (place.within.x_max - place.within.x_min);
-      const double y = place.within.y_min + share(random) * (place.within.y_max - place.within.y_min);
-      const Lattice& lattice = mesh.lattices()[place.lattice];
-      const Weights wx = gimp_weights(x, {lattice.x0, lattice.h}, place.l);
-      const Weights wy = gimp_weights(y, {lattice.y0, lattice.h}, place.l);
+      const double x =
+          position.within.x_min + share(random) * (position.within.x_max - position.within.x_min);
+      const double y =
+          position.within.y_min + share(random) * (position.within.y_max - position.within.y_min);
+      const Lattice& lattice = mesh.lattices()[position.lattice];
+      const Weights wx = gimp_weights(x, {lattice.x0, lattice.h}, position.l);
+      const Weights wy = gimp_weights(y, {lattice.y0, lattice.h}, position.l);
       std::vector<BoxWeight> weights;
-      box_average(mesh, test::box_at(x, y, place.l), weights);
+      box_average(mesh, test::box_at(x, y, position.l), weights);
       std::map<std::size_t, BoxWeight> sums;
       for (const BoxWeight& w : weights) {
         BoxWeight& sum = sums[w.node];

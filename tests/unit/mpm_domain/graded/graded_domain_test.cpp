@@ -84,15 +84,15 @@ TEST(GradedDomain, RefinedEverywhereIsTheFinerUniformMesh) {
       for (int step = 0; step < 100; ++step)
         stepper.step();
       for_particles(domain, [&](Particles& set, std::size_t k) {
-        const std::pair place{std::round(64.0 * set.x_initial[k]), std::round(64.0 * set.y_initial[k])};
+        const std::pair position{std::round(64.0 * set.x_initial[k]), std::round(64.0 * set.y_initial[k])};
         if (spec == &fine) {
-          results[place] = {set.vx[k], set.sxy[k]};
+          results[position] = {set.vx[k], set.sxy[k]};
           return;
         }
-        ASSERT_TRUE(results.contains(place));
+        ASSERT_TRUE(results.contains(position));
         largest = std::max(largest, std::abs(set.vx[k]));
-        difference = std::max({difference, std::abs(set.vx[k] - results[place][0]),
-                               std::abs(set.sxy[k] - results[place][1]) / 1e6});
+        difference = std::max({difference, std::abs(set.vx[k] - results[position][0]),
+                               std::abs(set.sxy[k] - results[position][1]) / 1e6});
       });
     }
     EXPECT_GT(largest, 0.02);
@@ -379,9 +379,9 @@ TEST(GradedDomain, APeriodOfTwoCellsIsTwiceInOneOfFour) {
   const auto narrow = velocities(2.0);
   const auto wide = velocities(4.0);
   ASSERT_EQ(narrow.size(), wide.size());
-  for (const auto& [place, v] : narrow) {
-    EXPECT_NEAR(v.x, wide.at(place).x, 1e-9);
-    EXPECT_NEAR(v.y, wide.at(place).y, 1e-9);
+  for (const auto& [position, v] : narrow) {
+    EXPECT_NEAR(v.x, wide.at(position).x, 1e-9);
+    EXPECT_NEAR(v.y, wide.at(position).y, 1e-9);
   }
 }
 
@@ -414,9 +414,9 @@ TEST(GradedDomain, SeamOfAPeriodCannotBeSeen) {
     });
   }
   ASSERT_EQ(results[0].size(), results[1].size());
-  for (const auto& [place, value] : results[0]) {
-    ASSERT_TRUE(results[1].contains(place));
-    EXPECT_NEAR(value, results[1][place], 1e-6); // Pa, of some 1e5
+  for (const auto& [position, value] : results[0]) {
+    ASSERT_TRUE(results[1].contains(position));
+    EXPECT_NEAR(value, results[1][position], 1e-6); // Pa, of some 1e5
   }
 }
 

@@ -13,7 +13,7 @@ std::map<std::pair<double, double>, double> tie_of(const GradedMesh& mesh, int l
     if (mesh.prolongation().tied(r) == mesh.node(level, i, j))
       for (const Share& share : mesh.prolongation().row(r)) {
         test::RealWeight at;
-        test::place(mesh, share.node, at);
+        test::position(mesh, share.node, at);
         shares[{at.x, at.y}] += share.weight;
       }
   return shares;
@@ -51,11 +51,11 @@ TEST(GradedMesh, RowsOfTheProlongationReproduceLinearFields) {
   ASSERT_GT(mesh.prolongation().tied_count(), 100U);
   for (std::size_t r = 0; r < mesh.prolongation().tied_count(); ++r) {
     test::RealWeight tied;
-    test::place(mesh, mesh.prolongation().tied(r), tied);
+    test::position(mesh, mesh.prolongation().tied(r), tied);
     double sum = 0.0, x = 0.0, y = 0.0;
     for (const Share& share : mesh.prolongation().row(r)) {
       test::RealWeight at;
-      test::place(mesh, share.node, at);
+      test::position(mesh, share.node, at);
       EXPECT_GT(share.weight, 0.0);
       sum += share.weight;
       x += share.weight * at.x;

@@ -35,7 +35,7 @@ inline GradedMesh l_shaped_mesh() {
   return GradedMesh({.h = 1.0, .nx = 8, .ny = 8}, boxes);
 }
 
-inline void place(const GradedMesh& mesh, std::size_t node, RealWeight& weight) {
+inline void position(const GradedMesh& mesh, std::size_t node, RealWeight& weight) {
   for (const Lattice& lattice : mesh.lattices())
     if (node >= lattice.first && node < lattice.first + lattice.count()) {
       const std::size_t n = node - lattice.first;
@@ -87,7 +87,7 @@ inline RealWeights real_weights(const GradedMesh& mesh, const mesh::Rectangle& b
   RealWeights real;
   const auto add = [&](std::size_t node, double share, const BoxWeight& w) {
     RealWeight& sum = real[node];
-    place(mesh, node, sum);
+    position(mesh, node, sum);
     sum.s += share * w.s;
     sum.gx += share * w.gx;
     sum.gy += share * w.gy;

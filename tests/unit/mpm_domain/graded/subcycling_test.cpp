@@ -85,9 +85,9 @@ TEST(Subcycling, OnOneClockIsTheSingleStep) {
     results.push_back(fields_of(domain));
   }
   ASSERT_EQ(results[0].size(), results[1].size());
-  for (const auto& [place, values] : results[0])
+  for (const auto& [position, values] : results[0])
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR(results[1].at(place)[i], values[i], i == 2 ? 1e-6 : 1e-12);
+      EXPECT_NEAR(results[1].at(position)[i], values[i], i == 2 ? 1e-6 : 1e-12);
 }
 
 /// The error of a wave that comes in through faces of all levels, against its closed form.

@@ -51,11 +51,12 @@ TEST(HeldSoil, IsElasticBesideTheVerticalsAndTheSameOtherwise) {
        {std::pair{2.0, 8.0}, {4.0, 6.0}, {-5.0, 8.0}, {-5.0, 20.0}, {2.5, 3.5}}) {
     const Found held = at_places(held_beside(layered(), x_min, x_max));
     ASSERT_EQ(held.size(), given.size());
-    for (const auto& [place, soil] : given) {
-      const auto& [name, young, elastic] = held.at(place);
-      EXPECT_EQ(name, std::get<0>(soil)) << place.first << ", " << place.second;
-      EXPECT_EQ(young, std::get<1>(soil)) << place.first << ", " << place.second;
-      EXPECT_EQ(elastic, place.first < x_min || place.first > x_max) << place.first << ", " << place.second;
+    for (const auto& [position, soil] : given) {
+      const auto& [name, young, elastic] = held.at(position);
+      EXPECT_EQ(name, std::get<0>(soil)) << position.first << ", " << position.second;
+      EXPECT_EQ(young, std::get<1>(soil)) << position.first << ", " << position.second;
+      EXPECT_EQ(elastic, position.first < x_min || position.first > x_max)
+          << position.first << ", " << position.second;
     }
   }
 }

@@ -151,15 +151,15 @@ TEST(StaticStages, ShowStructuresWhereTheyHaveGone) {
   Domain domain(site.spec);
   StaticStages walk = site.walk(domain);
   const auto shown = [&] {
-    std::vector<Vector> places;
+    std::vector<Vector> positions;
     walk.show([&](Domain& model) {
       for (std::size_t b = 0; b < model.contact.bodies().size(); ++b) {
         const ElasticBody* const elastic = model.contact.elastic(b);
-        places.push_back(
+        positions.push_back(
             middle(elastic != nullptr ? elastic->surface().points() : model.contact.bodies()[b].outline()));
       }
     });
-    return places;
+    return positions;
   };
   walk.next();
   const std::vector<Vector> placed = shown();

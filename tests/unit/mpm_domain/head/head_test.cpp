@@ -34,7 +34,7 @@ HeadGrid bilinear() {
   HeadGrid grid{.x0 = 1.0, .y0 = -1.0, .h = 2.0, .columns = 4, .rows = 3};
   for (std::size_t j = 0; j < grid.rows; ++j)
     for (std::size_t i = 0; i < grid.columns; ++i) {
-      const Vector at = grid.place(i, j);
+      const Vector at = grid.position(i, j);
       grid.heads.push_back(6.0 + 0.5 * at.x - 0.25 * at.y + 0.1 * at.x * at.y);
     }
   return grid;

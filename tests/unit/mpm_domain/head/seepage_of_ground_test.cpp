@@ -39,7 +39,7 @@ TEST(GroundMesh, HasItsUpperNodesOnTheSurface) {
   const GroundMesh mesh = mesh_of(slope());
   ASSERT_FALSE(mesh.surface.empty());
   for (const std::size_t n : mesh.surface) {
-    const seepage::Place& at = mesh.problem.nodes[n];
+    const Vector& at = mesh.problem.nodes[n];
     EXPECT_NEAR(at.y, surface_of_slope(at.x), 1e-9) << at.x;
   }
   for (const std::size_t n : mesh.left)

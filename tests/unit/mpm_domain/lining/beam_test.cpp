@@ -26,10 +26,10 @@ TEST(Beam, IsFreeOfStressAtTheStartAndAfterARotation) {
   // A state in which everything has turned by one and a quarter of a turn.
   const double turn = 2.5 * std::numbers::pi;
   std::vector<double> state = ring.state();
-  std::vector<bool> is_turn(ring.places().size(), true);
+  std::vector<bool> is_turn(ring.positions().size(), true);
   for (std::size_t k = 0; k < ring.node_count(); ++k) {
     const std::size_t x = ring.first_dof(k);
-    const Vector p = ring.place(k);
+    const Vector p = ring.position(k);
     state[x] = std::cos(turn) * p.x - std::sin(turn) * p.y;
     state[x + 1] = std::sin(turn) * p.x + std::cos(turn) * p.y;
     is_turn[x] = is_turn[x + 1] = false;
@@ -44,7 +44,7 @@ TEST(Beam, IsFreeOfStressAtTheStartAndAfterARotation) {
 
 TEST(Beam, TakesForcesFromItsStrainEnergy) {
   Beam ring(ring_shape(12, {5}), ring_section);
-  std::vector<double> v(ring.places().size());
+  std::vector<double> v(ring.positions().size());
   for (std::size_t i = 0; i < v.size(); ++i)
     v[i] = 0.02 * std::sin(1.0 + 2.7 * static_cast<double>(i));
   ring.set_velocities(v);
@@ -67,7 +67,7 @@ TEST(Beam, TakesForcesFromItsStrainEnergy) {
 
 TEST(Beam, KeepsItsStressWhereItIsStrainedInPlace) {
   Beam moved(ring_shape(24), ring_section);
-  std::vector<double> v(moved.places().size());
+  std::vector<double> v(moved.positions().size());
   for (std::size_t i = 0; i < v.size(); ++i)
     v[i] = 1e-6 * std::sin(static_cast<double>(i));
   moved.set_velocities(v);
@@ -78,7 +78,7 @@ TEST(Beam, KeepsItsStressWhereItIsStrainedInPlace) {
     EXPECT_NEAR(strained.forces(e).moment, moved.forces(e).moment, 1e-3);
     EXPECT_NEAR(strained.forces(e).axial, moved.forces(e).axial, 1.0);
   }
-  EXPECT_EQ(strained.place(5).x, ring_shape(24).nodes[5].x);
+  EXPECT_EQ(strained.position(5).x, ring_shape(24).nodes[5].x);
   Beam restored(ring_shape(24), ring_section);
   restored.set_state(strained.state());
   EXPECT_EQ(restored.forces(7).moment, strained.forces(7).moment);

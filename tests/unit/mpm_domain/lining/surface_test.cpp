@@ -28,7 +28,7 @@ TEST(LiningSurface, IsCutIntoSegmentsOfAboutACell) {
   for (const SurfaceSegment& segment : surface.segments()) {
     Vector middle{};
     for (const SurfacePoint& point : segment.points) {
-      const Vector at = place(point, beam);
+      const Vector at = position_of(point, beam);
       EXPECT_NEAR(std::hypot(at.x, at.y), 3.15, 0.006);
       EXPECT_NEAR(std::hypot(point.arm.x, point.arm.y), 0.15, 0.006);
       middle = {middle.x + at.x, middle.y + at.y};
@@ -48,18 +48,18 @@ TEST(LiningSurface, EndsSegmentsAtCorners) {
     const Vector n = normal(segment, beam);
     EXPECT_NEAR(std::max(std::abs(n.x), std::abs(n.y)), 1.0, 1e-12);
   }
-  EXPECT_NEAR(beam.place(0).x, -1.85, 1e-12); // half of the thickness behind both faces
-  EXPECT_NEAR(beam.place(0).y, -0.85, 1e-12);
+  EXPECT_NEAR(beam.position(0).x, -1.85, 1e-12); // half of the thickness behind both faces
+  EXPECT_NEAR(beam.position(0).y, -0.85, 1e-12);
 }
 
 TEST(LiningSurface, PassesRigidMotionOnExactlyAndMomentsBack) {
   const Lining ring = ring_lining();
   const Beam beam(shape_of(ring), ring.section);
   const LiningSurface surface(ring, beam, 0.5);
-  std::vector<double> v(beam.places().size(), 0.7); // rad/s
+  std::vector<double> v(beam.positions().size(), 0.7); // rad/s
   for (std::size_t k = 0; k < beam.node_count(); ++k) {
-    v[beam.first_dof(k)] = 1.0 - 0.7 * beam.place(k).y;
-    v[beam.first_dof(k) + 1] = -2.0 + 0.7 * beam.place(k).x;
+    v[beam.first_dof(k)] = 1.0 - 0.7 * beam.position(k).y;
+    v[beam.first_dof(k) + 1] = -2.0 + 0.7 * beam.position(k).x;
   }
   const Lattice lattice{.h = 0.5, .x0 = -5.13, .y0 = -5.21, .nx = 22, .ny = 22, .first = 0};
   const std::vector<double> mass(lattice.count(), 1.0);
@@ -67,8 +67,8 @@ TEST(LiningSurface, PassesRigidMotionOnExactlyAndMomentsBack) {
   ASSERT_EQ(rows.size(), 40U);
   for (const SegmentRows& of : rows) {
     const Vector velocity = beam_velocity(of, v);
-    EXPECT_NEAR(velocity.x, 1.0 - 0.7 * of.place.y, 1e-12);
-    EXPECT_NEAR(velocity.y, -2.0 + 0.7 * of.place.x, 1e-12);
+    EXPECT_NEAR(velocity.x, 1.0 - 0.7 * of.position.y, 1e-12);
+    EXPECT_NEAR(velocity.y, -2.0 + 0.7 * of.position.x, 1e-12);
     double share = 0.0;
     Vector at{};
     for (const auto& [node, of_node] : of.soil) {
@@ -77,8 +77,8 @@ TEST(LiningSurface, PassesRigidMotionOnExactlyAndMomentsBack) {
             at.y + of_node * (lattice.y0 + static_cast<double>(node / 22) * 0.5)};
     }
     EXPECT_NEAR(share, 1.0, 1e-14);
-    EXPECT_NEAR(at.x, of.place.x, 1e-14); // both sides act at the same place
-    EXPECT_NEAR(at.y, of.place.y, 1e-14);
+    EXPECT_NEAR(at.x, of.position.x, 1e-14); // both sides act at the same place
+    EXPECT_NEAR(at.y, of.position.y, 1e-14);
   }
 }
 
@@ -93,7 +93,7 @@ TEST(LiningSurface, LeavesOutSegmentsWithoutSoil) {
   const std::vector<SegmentRows> rows = find_rows(surface, beam, lattice, mass, 1.0);
   EXPECT_LT(rows.size(), 24U);
   for (const SegmentRows& of : rows) {
-    EXPECT_GT(of.place.y, -0.5);
+    EXPECT_GT(of.position.y, -0.5);
     for (const NodeShare& of_node : of.soil)
       EXPECT_GT(mass[of_node.node], 0.0);
   }
@@ -116,8 +116,8 @@ TEST(LiningSurface, CountsNodesByTheirMassWhileSoilBarelyReachesThem) {
   const std::vector<SegmentRows> with = find_rows(surface, beam, lattice, mass, 1.0);
   ASSERT_EQ(with.size(), without.size());
   for (std::size_t k = 0; k < with.size(); ++k) {
-    EXPECT_NEAR(with[k].place.x, without[k].place.x, 1e-6);
-    EXPECT_NEAR(with[k].place.y, without[k].place.y, 1e-6);
+    EXPECT_NEAR(with[k].position.x, without[k].position.x, 1e-6);
+    EXPECT_NEAR(with[k].position.y, without[k].position.y, 1e-6);
     double answer = 0.0; // of nodes within the ring, to an impulse
     for (const auto& [node, share] : with[k].soil)
       if (!outside(node))

@@ -53,9 +53,9 @@ TEST(FastenedEnd, StandsAtItsPoint) {
   for (const EndCase& one : nodal_ends()) {
     Domain domain(one.spec);
     const FastenedEnd end(one.fastening, domain, domain.contact);
-    const Vector at = end.place(domain, domain.contact);
-    EXPECT_NEAR(at.x, one.fastening.place.x, 1e-12) << one.name;
-    EXPECT_NEAR(at.y, one.fastening.place.y, 1e-12) << one.name;
+    const Vector at = end.position(domain, domain.contact);
+    EXPECT_NEAR(at.x, one.fastening.position.x, 1e-12) << one.name;
+    EXPECT_NEAR(at.y, one.fastening.position.y, 1e-12) << one.name;
   }
 }
 
@@ -63,7 +63,7 @@ TEST(FastenedEnd, ReadsLinearVelocities) {
   for (const EndCase& one : nodal_ends()) {
     Domain domain(one.spec);
     FastenedEnd end(one.fastening, domain, domain.contact);
-    const auto [x, y] = one.fastening.place;
+    const auto [x, y] = one.fastening.position;
     for (int l = 0; l < domain.lattice_count(); ++l) {
       const Lattice& lattice = domain.lattice(l);
       for (int j = 0; j < lattice.ny; ++j)
@@ -103,7 +103,7 @@ TEST(FastenedEnd, GivesItsForceItsMoment) {
     }
     EXPECT_NEAR(sum.x, force.x, 1e-9) << one.name;
     EXPECT_NEAR(sum.y, force.y, 1e-9) << one.name;
-    EXPECT_NEAR(moment, cross(one.fastening.place, force), 1e-7) << one.name;
+    EXPECT_NEAR(moment, cross(one.fastening.position, force), 1e-7) << one.name;
   }
 }
 
@@ -128,7 +128,7 @@ TEST(FastenedEnd, TurnsWithARigidBody) {
   const FastenedEnd end({"block", {0.9, 6.0}}, domain, domain.contact);
   EXPECT_EQ(end.body(), 0U);
   test_support::set_bodies(domain, {{1.0, 5.0, 0.5 * std::acos(-1.0), 0.2, 0.0, 3.0}}); // a quarter turn
-  const Vector at = end.place(domain, domain.contact); // its arm was (1, 2) m, is now (-2, 1) m
+  const Vector at = end.position(domain, domain.contact); // its arm was (1, 2) m, is now (-2, 1) m
   EXPECT_NEAR(at.x, -1.0, 1e-12);
   EXPECT_NEAR(at.y, 6.0, 1e-12);
   const Vector v = end.velocity(domain, domain.contact);

@@ -73,13 +73,13 @@ TEST(Spring, StoresAndDissipatesTheWorkOfItsForce) {
     constexpr int steps = 20000;
     for (int n = 1; n <= steps; ++n) { // swings that grow to three times what makes it yield
       const double s = static_cast<double>(n) / steps;
-      const double place = 4.5e-3 * s * std::sin(40.0 * s);
+      const double position = 4.5e-3 * s * std::sin(40.0 * s);
       const double before = spring.force();
-      const SpringWork work = spring.part(place - last);
+      const SpringWork work = spring.part(position - last);
       EXPECT_GE(work.dissipated, 0.0);
-      of_force += 0.5 * (before + spring.force()) * (place - last);
+      of_force += 0.5 * (before + spring.force()) * (position - last);
       booked += work.stored + work.dissipated;
-      last = place;
+      last = position;
     }
     EXPECT_NEAR(booked, of_force, 1e-4 * std::abs(booked));
     EXPECT_GT(booked, 3.0);

@@ -50,8 +50,8 @@ struct Model {
   const char* name;
   std::function<void(Spec&)> change;
   int steps;
-  mpm_domain::Vector drift = {}; ///< velocity of the whole scene, m/s
-  bool cuts = false;             ///< whether particles are cut on the way
+  Vector drift = {}; ///< velocity of the whole scene, m/s
+  bool cuts = false; ///< whether particles are cut on the way
 };
 
 /// A slope down to half the height, whose upper tiles are empty or nearly so.

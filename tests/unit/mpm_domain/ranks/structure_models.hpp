@@ -8,8 +8,8 @@
 
 namespace tremolo::test_support {
 
-inline mpm_domain::Structure& add_block(mpm_domain::Spec& spec, const char* name,
-                                        std::vector<mpm_domain::Vector> outline, double density = 1800.0) {
+inline mpm_domain::Structure& add_block(mpm_domain::Spec& spec, const char* name, std::vector<Vector> outline,
+                                        double density = 1800.0) {
   spec.gravity = 9.81;
   spec.structures.push_back(structure(std::move(outline), density, 0.5));
   spec.structures.back().name = name;

@@ -35,8 +35,8 @@ Spec with_strip() {
 
 TEST(PlacedStrip, PressesTheGroundAsALoadDoes) {
   Domain domain(with_strip());
-  const StaticStage place = construction({ground()}, residual, 20.0);
-  rest(domain, {&place, 1}, residual);
+  const StaticStage position = construction({ground()}, residual, 20.0);
+  rest(domain, {&position, 1}, residual);
   const double q = 2500.0 * gravity * 2.0;
   const Particles& p = domain.sets.front();
   for (const double z : {2.0, 4.0, 8.0}) {

@@ -38,8 +38,8 @@ class PlacedStructure : public testing::TestWithParam<bool> {};
 
 TEST_P(PlacedStructure, BearsOnTheGroundAsIfItHadStoodThere) {
   const Spec spec = with_block(GetParam());
-  const StaticStage place = construction(spec.regions, residual);
-  StandingScene placed(spec, quiet_ground(), residual, {&place, 1});
+  const StaticStage position = construction(spec.regions, residual);
+  StandingScene placed(spec, quiet_ground(), residual, {&position, 1});
   const StandingScene stood(spec);
   EXPECT_FALSE(placed.reactions.slipping);
   EXPECT_LT(largest_difference_of_stress(placed.domain, stood.domain), 1e-3 * block_weight / 3.0);

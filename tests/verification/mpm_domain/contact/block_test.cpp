@@ -105,8 +105,8 @@ std::vector<double> thrown(int soils) {
   }
   Domain domain(spec);
   Stepper stepper(domain, 0.0, test_support::quiet_ground());
-  const Vector place = domain.contact.bodies().front().centre();
-  test_support::set_bodies(domain, {{place.x, place.y, 0.0, 0.5, -0.5, 0.2}});
+  const Vector position = domain.contact.bodies().front().centre();
+  test_support::set_bodies(domain, {{position.x, position.y, 0.0, 0.5, -0.5, 0.2}});
   while (stepper.steps() < 200)
     stepper.step();
   EXPECT_GT(domain.energy.friction, 0.0);

@@ -45,9 +45,9 @@ TEST(Collision, KeepsMomentumGainsNoEnergyAndLetsNothingOverlap) {
                          structure(turned(rectangle(0.0, 3.5, 1.0, 5.5), {0.5, 4.5}, lean), 500.0, friction)};
       Domain domain(spec);
       Stepper stepper(domain, 0.0, quiet_ground());
-      const auto place = [&](std::size_t b) { return domain.contact.bodies()[b].centre(); };
-      set_bodies(domain, {{place(0).x, place(0).y, 0.0, 2.0, 0.1, 0.05},
-                          {place(1).x, place(1).y, 0.0, -1.0, 0.0, -0.2}});
+      const auto position = [&](std::size_t b) { return domain.contact.bodies()[b].centre(); };
+      set_bodies(domain, {{position(0).x, position(0).y, 0.0, 2.0, 0.1, 0.05},
+                          {position(1).x, position(1).y, 0.0, -1.0, 0.0, -0.2}});
       const Totals start = totals(domain);
       double energy = start.energy;
       double deepest = 0.0;

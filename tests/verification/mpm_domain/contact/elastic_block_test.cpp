@@ -277,9 +277,9 @@ TEST(Elastic, BodyOfSoilThatSticksIsSoil) {
     const auto with = velocities(domain);
     const auto without = velocities(ground.domain);
     ASSERT_EQ(with.size(), without.size());
-    for (const auto& [place, v] : without) {
-      EXPECT_NEAR(with.at(place).x, v.x, 5e-9); // 5e-6 of the shaking
-      EXPECT_NEAR(with.at(place).y, v.y, 5e-9);
+    for (const auto& [position, v] : without) {
+      EXPECT_NEAR(with.at(position).x, v.x, 5e-9); // 5e-6 of the shaking
+      EXPECT_NEAR(with.at(position).y, v.y, 5e-9);
     }
   }
   EXPECT_NEAR(domain.energy.friction, 0.0, 1e-12);

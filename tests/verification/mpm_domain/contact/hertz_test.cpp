@@ -47,8 +47,8 @@ void expect_pressure(double h, double end) {
     for (const ContactNode& c : domain.contact.nodes(0)) {
       const double up = c.normal_impulse / stepper.kick() * c.normal.y;
       force += up;
-      second += up * std::pow(c.place.x - middle, 2);
-      columns[c.place.x - middle] += up;
+      second += up * std::pow(c.position.x - middle, 2);
+      columns[c.position.x - middle] += up;
     }
     const double b = std::sqrt(4.0 * force * radius / (std::numbers::pi * modulus));
     const double p0 = std::sqrt(force * modulus / (std::numbers::pi * radius));

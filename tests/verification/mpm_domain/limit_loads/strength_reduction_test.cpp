@@ -50,8 +50,8 @@ TEST(StrengthReduction, ShowsTheSoilThatFails) {
     const double speed = std::hypot(point.velocity.x, point.velocity.y);
     fastest = std::max(fastest, speed);
     strained = std::max(strained, point.plastic_strain);
-    if (point.place.x < 4.0 || point.place.x > 48.0) {
-      EXPECT_LT(speed, 0.1) << point.place.x << ", " << point.place.y;
+    if (point.position.x < 4.0 || point.position.x > 48.0) {
+      EXPECT_LT(speed, 0.1) << point.position.x << ", " << point.position.y;
     }
   }
   EXPECT_NEAR(fastest, 1.0, 1e-12);
@@ -60,7 +60,7 @@ TEST(StrengthReduction, ShowsTheSoilThatFails) {
   double down = 0.0;
   double crest = 0.0;
   for (const MovingPoint& point : found.mechanism)
-    if (point.place.y > 9.0 && point.place.x < 31.0) {
+    if (point.position.y > 9.0 && point.position.x < 31.0) {
       down += point.velocity.y;
       crest += 1.0;
     }

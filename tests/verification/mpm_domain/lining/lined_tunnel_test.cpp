@@ -168,9 +168,9 @@ TEST(LinedTunnel, SaysWhereItHasLeftTheMesh) {
   Domain domain(tunnel(0.5));
   LiningBody& lining = domain.linings.bodies().front();
   std::vector<double> state = lining.state();
-  const std::size_t places = 3 * lining.segments().size(); // behind three numbers of each segment
+  const std::size_t positions = 3 * lining.segments().size(); // behind three numbers of each segment
   for (std::size_t k = 0; k < lining.beam().node_count(); ++k)
-    state[places + lining.beam().first_dof(k) + 1] -= 20.0;
+    state[positions + lining.beam().first_dof(k) + 1] -= 20.0;
   lining.set_state(state);
   try {
     lining.follow_sort(domain);

@@ -17,7 +17,7 @@ using std::numbers::pi;
 TEST(LiningMotion, EndMomentsRollABarUp) {
   constexpr double length = 10.0;
   Beam bar(bar_shape(length, 20), ring_section);
-  std::vector<double> forces(bar.places().size(), 0.0);
+  std::vector<double> forces(bar.positions().size(), 0.0);
   const std::size_t first = bar.first_dof(0) + 2;
   const std::size_t last = bar.first_dof(20) + 2;
   constexpr int steps = 400;
@@ -28,16 +28,16 @@ TEST(LiningMotion, EndMomentsRollABarUp) {
     rest_under(bar, forces, 5, 1e-2);
   }
   rest_under(bar, forces, 4000, 1e-2);
-  EXPECT_NEAR(bar.places()[last] - bar.places()[first], 2.0 * pi, 1e-9);
-  EXPECT_NEAR(bar.place(20).x, bar.place(0).x, 1e-8);
-  EXPECT_NEAR(bar.place(20).y, bar.place(0).y, 1e-8);
+  EXPECT_NEAR(bar.positions()[last] - bar.positions()[first], 2.0 * pi, 1e-9);
+  EXPECT_NEAR(bar.position(20).x, bar.position(0).x, 1e-8);
+  EXPECT_NEAR(bar.position(20).y, bar.position(0).y, 1e-8);
 }
 
 TEST(LiningMotion, KeepsMomentumAndAngularMomentumWhileItSpins) {
   Beam ring(ring_shape(64, {10}), ring_section);
-  std::vector<double> v(ring.places().size(), 20.0); // rad/s
+  std::vector<double> v(ring.positions().size(), 20.0); // rad/s
   for (std::size_t k = 0; k < ring.node_count(); ++k) {
-    const Vector p = ring.place(k);
+    const Vector p = ring.position(k);
     const double oval = std::cos(2.0 * std::atan2(p.y, p.x)) / ring_radius; // 1 m/s
     v[ring.first_dof(k)] = -20.0 * p.y + oval * p.x + 3.0;
     v[ring.first_dof(k) + 1] = 20.0 * p.x + oval * p.y;
@@ -51,7 +51,7 @@ TEST(LiningMotion, KeepsMomentumAndAngularMomentumWhileItSpins) {
     ring.set_velocities(step.trial());
     ring.move(5e-4);
   }
-  EXPECT_GT(ring.places()[2], 2.0 * pi); // more than a turn
+  EXPECT_GT(ring.positions()[2], 2.0 * pi); // more than a turn
   EXPECT_LT(ring.kinetic_energy() + ring.strain_energy(), start);
   const auto after = momenta(ring);
   const double momentum = ring.mass() * 20.0 * ring_radius; // of its parts
@@ -62,10 +62,10 @@ TEST(LiningMotion, KeepsMomentumAndAngularMomentumWhileItSpins) {
 
 TEST(LiningMotion, LosesWhatBackwardEulerDamps) {
   Beam ring(ring_shape(64), ring_section);
-  std::vector<double> v(ring.places().size(), 0.0);
+  std::vector<double> v(ring.positions().size(), 0.0);
   for (std::size_t k = 0; k < ring.node_count(); ++k) {
     // Without strain of its axis: u_r = cos 2 a, u_t = -sin(2 a)/2, and the turn of its sections.
-    const double a = std::atan2(ring.place(k).y, ring.place(k).x);
+    const double a = std::atan2(ring.position(k).y, ring.position(k).x);
     const double ur = 1e-3 * std::cos(2.0 * a);
     const double ut = -0.5e-3 * std::sin(2.0 * a);
     const std::size_t x = ring.first_dof(k);

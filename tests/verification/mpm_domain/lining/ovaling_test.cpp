@@ -55,7 +55,7 @@ public:
         size_ += 2;
       }
     first_of_beam_ = size_;
-    size_ += static_cast<Eigen::Index>(beam.places().size());
+    size_ += static_cast<Eigen::Index>(beam.positions().size());
     add_beam();
     for (const SegmentRows& of : rows)
       for (const Vector& along : sticks ? std::vector{of.normal, of.tangent()} : std::vector{of.normal})
@@ -70,7 +70,7 @@ public:
     std::vector<double> uy(soil_.mass.size(), 0.0);
     for (std::size_t node = 0; node < soil_.mass.size(); ++node)
       if (soil_.at_edge(node)) {
-        const Vector u = at_edge(soil_.place(node));
+        const Vector u = at_edge(soil_.position(node));
         ux[node] = u.x;
         uy[node] = u.y;
       }
@@ -85,7 +85,7 @@ public:
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
     const Eigen::VectorXd found = factors.solve(right);
-    const auto of_beam = found.segment(first_of_beam_, static_cast<Eigen::Index>(beam_.places().size()));
+    const auto of_beam = found.segment(first_of_beam_, static_cast<Eigen::Index>(beam_.positions().size()));
     return {of_beam.begin(), of_beam.end()};
   }
 
@@ -114,7 +114,7 @@ private:
 
   void add_beam() {
     for (const BeamElement& element : beam_.elements()) {
-      const auto b = place_of(element, beam_.places()).strain_rows();
+      const auto b = position_of(element, beam_.positions()).strain_rows();
       const auto d = stiffness_of(element, beam_.section());
       for (std::size_t r = 0; r < 6; ++r)
         for (std::size_t c = 0; c < 6; ++c)
@@ -163,7 +163,7 @@ TEST_P(RingInShearedGround, TakesThrustAndMomentOfTheExactSolution) {
   const std::vector<SegmentRows> rows = find_rows(surface, beam, soil.lattice, soil.mass, soil.full);
   ASSERT_EQ(rows.size(), surface.segments().size());
   StaticSystem system(soil, beam, rows, GetParam().sticks);
-  beam.set_velocities(system.solve([&](const Vector& place) { return exact.at(place); }));
+  beam.set_velocities(system.solve([&](const Vector& position) { return exact.at(position); }));
   beam.strain_in_place(1.0);
   double thrust = 0.0;
   double moment = 0.0;

@@ -41,14 +41,14 @@ public:
     std::mt19937 random(1);
     std::normal_distribution<double> noise(0.0, 0.3);
     for (std::size_t n = 0; n < nodes; ++n) {
-      const Vector x = soil_.place(n);
+      const Vector x = soil_.position(n);
       vx_[n] = has_soil(n) ? x.x / 3.0 + noise(random) : 0.0; // oval, 1 m/s at the ring
       vy_[n] = has_soil(n) ? -x.y / 3.0 + noise(random) : 0.0;
     }
-    std::vector<double> v(beam_.places().size(), 0.0);
+    std::vector<double> v(beam_.positions().size(), 0.0);
     for (std::size_t k = 0; k < beam_.node_count(); ++k) {
-      v[beam_.first_dof(k)] = beam_.place(k).x / 3.0;
-      v[beam_.first_dof(k) + 1] = -beam_.place(k).y / 3.0;
+      v[beam_.first_dof(k)] = beam_.position(k).x / 3.0;
+      v[beam_.first_dof(k) + 1] = -beam_.position(k).y / 3.0;
     }
     beam_.set_velocities(v);
   }
@@ -62,7 +62,7 @@ public:
         wx[n] += dt / soil_.mass[n] * forces[n].x;
         wy[n] += dt / soil_.mass[n] * forces[n].y;
       }
-    const std::vector<double> none(beam_.places().size(), 0.0);
+    const std::vector<double> none(beam_.positions().size(), 0.0);
     const BeamStep beam_step(beam_, dt, dt, none);
     const std::vector<SegmentRows> rows = find_rows(surface_, beam_, soil_.lattice, soil_.mass, soil_.full);
     const std::vector<double> v = contact_.meet(rows, {soil_.mass, wx, wy}, beam_step, dt, dt, bonded_);
@@ -98,7 +98,7 @@ public:
       const Vector p{soil_.mass[n] * vx_[n], soil_.mass[n] * vy_[n]};
       sums[0] += p.x;
       sums[1] += p.y;
-      sums[2] += cross(soil_.place(n), p);
+      sums[2] += cross(soil_.position(n), p);
     }
     return sums;
   }

@@ -43,7 +43,7 @@ TEST(LiningRing, HasTheFrequenciesOfTheClosedForm) {
 TEST(LiningRing, BearsTwoOppositeForces) {
   const double p = 1e3; // N/m
   Beam ring(ring_shape(64), ring_section);
-  std::vector<double> forces(ring.places().size(), 0.0);
+  std::vector<double> forces(ring.positions().size(), 0.0);
   forces[ring.first_dof(16) + 1] = -p; // on top
   forces[ring.first_dof(48) + 1] = p;
   rest_under(ring, forces, 60, 1.0);
@@ -52,7 +52,7 @@ TEST(LiningRing, BearsTwoOppositeForces) {
   const double closing =
       p * r * r * r / ei * (pi / 4.0 - 2.0 / pi) + pi * p * r / 4.0 * (1.0 / ea + 1.0 / ga);
   const double top = ring_shape(64).nodes[16].y;
-  EXPECT_NEAR(2.0 * (top - ring.place(16).y), closing, 0.002 * closing);
+  EXPECT_NEAR(2.0 * (top - ring.position(16).y), closing, 0.002 * closing);
   // In the middle of the elements beside the side, half an element off it.
   EXPECT_NEAR(ring.forces(0).axial, -0.5 * p, 0.002 * p);
   EXPECT_NEAR(std::abs(ring.forces(0).moment), p * r * (0.5 - 1.0 / pi), 0.005 * p * r * (0.5 - 1.0 / pi));
@@ -69,7 +69,7 @@ int ways_to_buckle(std::size_t nodes, double pressure) {
   Beam ring(shape, euler_bernoulli(ring_section));
   // The thrust of two elements balances the pressure on the halves that meet at their node.
   std::vector<double> state = ring.state();
-  const std::size_t strains = 2 * ring.places().size();
+  const std::size_t strains = 2 * ring.positions().size();
   for (std::size_t e = 0; e < nodes; ++e) {
     const double l = ring.elements()[e].length;
     const double thrust = pressure * l / (2.0 * std::tan(pi / static_cast<double>(nodes)));

@@ -79,21 +79,21 @@ TEST(LiningInWater, BendsUnderTheForceThatHoldsIt) {
   const Domain domain(spec);
   const LiningBody& lining = domain.linings.bodies().front();
   Beam beam = lining.beam();
-  std::vector<double> forces(beam.places().size(), 0.0);
+  std::vector<double> forces(beam.positions().size(), 0.0);
   add_rest_pressure(domain, lining.outline(), beam, forces);
   double lift = 0.0;
   double turn = 0.0;
   for (std::size_t k = 0; k < beam.node_count(); ++k) {
     const std::size_t x = beam.first_dof(k);
     lift += forces[x + 1];
-    turn += (beam.place(k).x - centre.x) * forces[x + 1] - (beam.place(k).y - centre.y) * forces[x] +
+    turn += (beam.position(k).x - centre.x) * forces[x + 1] - (beam.position(k).y - centre.y) * forces[x] +
             forces[x + 2];
   }
   const double weight = std::numbers::pi * outer * outer * water * gravity;
   EXPECT_NEAR(lift, weight, 1e-10 * weight);
   EXPECT_NEAR(turn, 0.0, 1e-10 * weight);
   const std::size_t lowest = 48; // of 64, from the x-axis
-  ASSERT_NEAR(beam.place(lowest).x, centre.x, 1e-9);
+  ASSERT_NEAR(beam.position(lowest).x, centre.x, 1e-9);
   forces[beam.first_dof(lowest) + 1] -= lift;
   rest_under(beam, forces, 200, 1e-2);
   const auto at_node = [&](std::size_t node) {
@@ -158,7 +158,7 @@ TEST_P(HeldLining, IsLiftedByTheWeightOfTheHeavyFluidAndDoesNotRub) {
   LiningContact contact(surface);
   for (SegmentContact& segment : contact.segments())
     segment.friction = 0.4;
-  const std::vector<double> none(lining.beam().places().size(), 0.0);
+  const std::vector<double> none(lining.beam().positions().size(), 0.0);
   const BeamStep step(lining.beam(), dt, dt, none);
   const SoilMotion soil{grid.mass, grid.vx_after, grid.vy_after, flows};
   contact.meet(rows, soil, step, dt, dt, false, before);

@@ -151,14 +151,14 @@ ShakenBox run(double h, const Scheme& scheme) {
   spec.scheme = scheme;
   const BasePulse pulse;
   const ExactContainer container(materials::elasticity(spec.soils.front().law), pulse);
-  std::map<std::pair<double, double>, std::vector<std::array<Complex, 2>>> places;
+  std::map<std::pair<double, double>, std::vector<std::array<Complex, 2>>> positions;
   return run_shaken_box(
       spec, pulse, {1.0, 0.0},
       [&](double x, double y, double time) {
-        auto [place, is_new] = places.try_emplace({x, y});
+        auto [position, is_new] = positions.try_emplace({x, y});
         if (is_new)
-          place->second = container.bins(x, y + depth);
-        return ExactContainer::at(place->second, time);
+          position->second = container.bins(x, y + depth);
+        return ExactContainer::at(position->second, time);
       },
       end);
 }

@@ -69,8 +69,8 @@ TEST_P(Beam, HasTheForcesOfItsStress) {
     return Vector{centre.x + along * axis.x + above * up.x, centre.y + along * axis.y + above * up.y};
   };
   std::vector<CutLine> cuts;
-  const std::vector<double> places{-1.03, -0.4, 0.0, 0.11, 0.9};
-  for (const double x : places)
+  const std::vector<double> positions{-1.03, -0.4, 0.0, 0.11, 0.9};
+  for (const double x : positions)
     cuts.push_back({at(x, 0.5 * height), at(x, -0.5 * height)}); // the axis to the left, M stretches below
   Structure body = structure(
       turned(rectangle(-0.5 * length, 4.0 - 0.5 * height, 0.5 * length, 4.0 + 0.5 * height), centre, angle),
@@ -90,9 +90,9 @@ TEST_P(Beam, HasTheForcesOfItsStress) {
                        along * axis.x * axis.y + across * (axis.x * up.y + axis.y * up.x)};
   });
   double worst = 0.0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
+  for (std::size_t k = 0; k < positions.size(); ++k) {
     const SectionForces found = forces(domain, domain.sections.all()[0], k);
-    const double moment = -shear * (0.5 * length - places[k]);
+    const double moment = -shear * (0.5 * length - positions[k]);
     EXPECT_NEAR(found.axial, pull, 0.01 * pull);
     EXPECT_NEAR(found.shear, -shear, 0.01 * shear);
     EXPECT_NEAR(found.moment, moment, 0.01 * std::abs(moment));
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Beam, testing::Values(0.0, 20.0, 45.0, 90.0, 1
 TEST(Cut, GoesWithItsBody) {
   const std::vector<CutLine> cuts{{{-0.2, 3.0}, {0.1, 5.0}}};
   Domain domain(floating(structure(rectangle(-2.0, 3.0, 2.0, 5.0), 2000.0, 0.5), stiffness, cuts, 0.5));
-  const CutPlace before = place(domain, domain.sections.all()[0], 0, 0.0);
+  const CutPosition before = position(domain, domain.sections.all()[0], 0, 0.0);
   EXPECT_NEAR(before.middle.x, -0.05, 1e-12);
   EXPECT_NEAR(before.middle.y, 4.0, 1e-12);
   for (Particles& set : domain.sets)
@@ -117,7 +117,7 @@ TEST(Cut, GoesWithItsBody) {
       set.y[k] = 4.1 + d.x;
       set.vx[k] = 2.0;
     }
-  const CutPlace now = place(domain, domain.sections.all()[0], 0, 0.1);
+  const CutPosition now = position(domain, domain.sections.all()[0], 0, 0.1);
   EXPECT_NEAR(now.middle.x, 0.3 - 0.2, 1e-12);
   EXPECT_NEAR(now.middle.y, 4.1 - 0.05, 1e-12);
   EXPECT_NEAR(now.along.x, -before.along.y, 1e-12);

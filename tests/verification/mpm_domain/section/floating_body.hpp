@@ -16,8 +16,8 @@ namespace tremolo::mpm_domain::test {
 
 /// A force on the body at a place.
 struct PlacedForce {
-  Vector place; ///< m
-  Vector force; ///< N/m
+  Vector position; ///< m
+  Vector force;    ///< N/m
 };
 
 inline Spec floating(Structure body, const Stiffness& stiffness, std::vector<CutLine> cuts, double h) {
@@ -32,9 +32,9 @@ inline Spec floating(Structure body, const Stiffness& stiffness, std::vector<Cut
 /// Spreads forces over the nodes of the body's lattice by their hat functions, as tractions are.
 inline void add_forces(Domain& domain, std::span<const PlacedForce> forces) {
   const Lattice& lattice = domain.bodies.front().lattice;
-  for (const auto& [place, force] : forces) {
-    const double column = (place.x - lattice.x0) / lattice.h;
-    const double row = (place.y - lattice.y0) / lattice.h;
+  for (const auto& [position, force] : forces) {
+    const double column = (position.x - lattice.x0) / lattice.h;
+    const double row = (position.y - lattice.y0) / lattice.h;
     const int i = static_cast<int>(std::floor(column));
     const int j = static_cast<int>(std::floor(row));
     for (const int up : {0, 1})

@@ -46,11 +46,11 @@ public:
   }
 
   /// p/p_0 at r/R after the time factor kappa M t/(a R^2)
-  double pressure(double place, double time) const {
+  double pressure(double position, double time) const {
     double sum = 0.0;
     for (const double s : roots_) {
       const double j0 = std::cyl_bessel_j(0, s), j1 = std::cyl_bessel_j(1, s);
-      sum += (a_ + b_) * j0 / (b_ * j1 * j1 - a_ * j0 * j0) * (std::cyl_bessel_j(0, s * place) - j0) *
+      sum += (a_ + b_) * j0 / (b_ * j1 * j1 - a_ * j0 * j0) * (std::cyl_bessel_j(0, s * position) - j0) *
              std::exp(-s * s * time);
     }
     return sum;

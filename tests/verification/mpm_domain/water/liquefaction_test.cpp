@@ -65,11 +65,11 @@ std::vector<double> excess_of_cells(const Domain& domain) {
 
 /// Linear between the centres of cells, zero at the surface.
 double at_depth(const std::vector<double>& cells, double depth) {
-  const double place = depth / cell - 0.5;
-  if (place < 0.0)
+  const double position = depth / cell - 0.5;
+  if (position < 0.0)
     return cells.front() * depth / (0.5 * cell);
-  const auto above = std::min(static_cast<std::size_t>(place), cells.size() - 2);
-  return std::lerp(cells[above], cells[above + 1], place - static_cast<double>(above));
+  const auto above = std::min(static_cast<std::size_t>(position), cells.size() - 2);
+  return std::lerp(cells[above], cells[above + 1], position - static_cast<double>(above));
 }
 
 double settlement_of(const Domain& domain) {

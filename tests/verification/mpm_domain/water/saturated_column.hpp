@@ -63,7 +63,7 @@ struct SaturatedColumn {
 
 /// Nothing moves beyond the faces.
 inline mpm_domain::FreeFieldSource at_rest_source() {
-  return [](long, double, std::span<const mpm_domain::Vector>, std::span<eq6::FreeField> field) {
+  return [](long, double, std::span<const Vector>, std::span<eq6::FreeField> field) {
     std::ranges::fill(field, eq6::FreeField{});
   };
 }
