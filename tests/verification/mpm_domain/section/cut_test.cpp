@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Beam, testing::Values(0.0, 20.0, 45.0, 90.0, 1
 TEST(Cut, GoesWithItsBody) {
   const std::vector<CutLine> cuts{{{-0.2, 3.0}, {0.1, 5.0}}};
   Domain domain(floating(structure(rectangle(-2.0, 3.0, 2.0, 5.0), 2000.0, 0.5), stiffness, cuts, 0.5));
-  const CutPosition before = position(domain, domain.sections.all()[0], 0, 0.0);
+  const CutPosition before = position_of(domain, domain.sections.all()[0], 0, 0.0);
   EXPECT_NEAR(before.middle.x, -0.05, 1e-12);
   EXPECT_NEAR(before.middle.y, 4.0, 1e-12);
   for (Particles& set : domain.sets)
@@ -117,7 +117,7 @@ TEST(Cut, GoesWithItsBody) {
       set.y[k] = 4.1 + d.x;
       set.vx[k] = 2.0;
     }
-  const CutPosition now = position(domain, domain.sections.all()[0], 0, 0.1);
+  const CutPosition now = position_of(domain, domain.sections.all()[0], 0, 0.1);
   EXPECT_NEAR(now.middle.x, 0.3 - 0.2, 1e-12);
   EXPECT_NEAR(now.middle.y, 4.1 - 0.05, 1e-12);
   EXPECT_NEAR(now.along.x, -before.along.y, 1e-12);
