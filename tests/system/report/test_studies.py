@@ -68,7 +68,7 @@ class Studies(Pages):
         self.assertEqual(work.path / "dss.html", opened("dss.h5"))
         self.expect_charts("shear stress (kPa) over shear strain (%)", "shear stress (kPa) over mean effective stress in the plane p' (kPa)",
                            "excess pore pressure ratio r_u over cycles", "shear strain (%) over cycles")
-        self.assertIn("shear modulus coefficient", page.find("main").text)
+        self.assertIn("coefficient G_o of G", page.find("main").text)
         chart = "[data-chart='study-0-0-2']"
         whole = page.run(f"return [...document.querySelector(\"{chart}\")._fullLayout.xaxis.range]")
         page.show(chart).send_keys("+")

@@ -54,7 +54,7 @@ class Subcycling(unittest.TestCase):
         with subcycled(Workspace(TREMOLO)) as work:
             result = work.command("run", work.case, "--out", work.path / "run")
             self.assertNotEqual(0, result.returncode)
-            self.assertIn("needs levels", result.stderr)
+            self.assertIn("does not go with cells of one size", result.stderr)
 
 
 if __name__ == "__main__":
