@@ -45,7 +45,7 @@ struct SwappedRun {
 std::vector<SwappedRun> swap_models(const scene::Case& given, const std::vector<scene::SourceModel>& models,
                                     const std::filesystem::path& out, int threads);
 
-/// What was compared, as JSON.
+/// The comparison as JSON.
 std::string swap_json(const std::vector<SwappedRun>& runs);
 
 } // namespace tremolo::app

@@ -1,5 +1,7 @@
 #include "materials/law/parameter.hpp"
 
+#include "base/text/unit_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,13 +18,9 @@ double in_law(const Parameter& parameter) {
 
 namespace {
 
-std::string with_unit(const Parameter& parameter, std::string number) {
-  return parameter.unit == "1" ? number : fmt::format("{} {}", number, parameter.unit);
-}
-
 /// A number in the unit of the file.
 std::string shown(const Parameter& parameter, double value) {
-  return with_unit(parameter, fmt::format("{:.6g}", value / in_law(parameter)));
+  return with_unit(fmt::format("{:.6g}", value / in_law(parameter)), parameter.unit);
 }
 
 } // namespace
@@ -38,7 +36,7 @@ void check(const Parameter& parameter, double value) {
   if (!parameter.range.contains(given) && !at_an_end)
     throw std::invalid_argument(fmt::format("{} = {} is out of range, must be {}", parameter.name,
                                             shown(parameter, value),
-                                            with_unit(parameter, parameter.range.text())));
+                                            with_unit(parameter.range.text(), parameter.unit)));
 }
 
 void check_at_most(const Parameter& parameter, double value, const Parameter& other, double most) {

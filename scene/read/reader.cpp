@@ -1,6 +1,7 @@
 #include "scene/read/reader.hpp"
 
 #include "base/text/printable.hpp"
+#include "base/text/unit_text.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "scene/text/nearest.hpp"
 
@@ -34,10 +35,6 @@ std::string type_name(const toml::node& node) {
 }
 
 namespace {
-
-std::string with_unit(std::string_view text, std::string_view unit) {
-  return unit.empty() || unit == "1" ? std::string(text) : fmt::format("{} {}", text, unit);
-}
 
 std::string point_text(Point p) {
   return fmt::format("[{}, {}]", p.x, p.y);

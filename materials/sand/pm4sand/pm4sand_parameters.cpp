@@ -24,11 +24,18 @@ constexpr double degree = std::numbers::pi / 180.0;
 using Input = Pm4SandInput;
 using Law = Pm4Sand;
 
+/// A parameter that initialise() makes from the stress where it is not given.
+struct FromStress {
+  std::optional<double> Law::*given = nullptr;
+  double pm4::Initial::*start = nullptr;
+};
+
 struct Row {
   Parameter text;
   std::optional<double>& (*input)(Input&);
-  double& (*value)(Law&);         ///< nullptr: initialise() makes it where it is not given
+  double& (*value)(Law&);         ///< nullptr: it is one of those from the stress
   double (*fallback)(const Law&); ///< nullptr: there is none
+  FromStress from_stress = {};
 };
 
 template <auto Member>
@@ -42,10 +49,9 @@ constexpr Row row(const Parameter& text, double (*fallback)(const Law&) = nullpt
   return {text, &of<InInput, Input>, &of<InLaw, Law>, fallback};
 }
 
-/// A parameter that initialise() makes from the stress.
-template <auto InInput>
+template <auto InInput, auto InLaw, auto AtStart>
 constexpr Row of_stress(const Parameter& text) {
-  return {text, &of<InInput, Input>, nullptr, nullptr};
+  return {text, &of<InInput, Input>, nullptr, nullptr, {InLaw, AtStart}};
 }
 
 template <int Numerator, int Denominator = 1>
@@ -151,18 +157,19 @@ const std::array rows = {
          .range = {.low = 1e-3, .high = 100.0},
          .otherwise = "max(0.3, (0.25 + D_R)/2)"},
         [](const Law& l) { return std::max(0.3, 0.5 * (0.25 + l.relative_density)); }),
-    of_stress<&Input::A_do>(
+    of_stress<&Input::A_do, &Law::A_do, &pm4::Initial::A_do>(
         {.name = "A_do",
          .unit = "1",
          .meaning = "dilatancy",
          .range = {.low = 0.0, .high = 100.0},
          .otherwise = "from the initial stress, 2.5 (asin(M_b/2) - asin(M/2))/(M_b - M_d), 1.24 if "
                       "loose of critical"}),
-    of_stress<&Input::z_max>({.name = "z_max",
-                              .unit = "1",
-                              .meaning = "largest fabric",
-                              .range = {.low = 1e-3, .high = 1e3},
-                              .otherwise = "from the initial stress, min(0.7 exp(-6.1 xi_R0), 20)"}),
+    of_stress<&Input::z_max, &Law::z_max, &pm4::Initial::z_max>(
+        {.name = "z_max",
+         .unit = "1",
+         .meaning = "largest fabric",
+         .range = {.low = 1e-3, .high = 1e3},
+         .otherwise = "from the initial stress, min(0.7 exp(-6.1 xi_R0), 20)"}),
     row<&Input::c_z, &Law::c_z>({.name = "c_z",
                                  .unit = "1",
                                  .meaning = "rate of fabric",
@@ -224,12 +231,6 @@ double value_of(const Row& one, Law law) {
   return one.value(law);
 }
 
-/// A value that initialise() makes from the stress, shown for an isotropic p_0 = p_A.
-ParameterValue from_stress(const Row& one, const std::optional<double>& given, double at_p_A) {
-  return report(one.text, given.value_or(at_p_A),
-                given ? "given" : fmt::format("default: {}; here at p_0 = p_A", one.text.otherwise));
-}
-
 } // namespace
 
 std::span<const InputField<Pm4SandInput>> pm4sand_parameters() {
@@ -246,16 +247,16 @@ Pm4Sand pm4sand(const Pm4SandInput& given) {
   Input input = given;
   Law law;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const auto& [text, member, value, fallback] = rows[k];
+    const auto& [text, member, value, fallback, from_stress] = rows[k];
     const std::optional<double>& number = member(input);
     law.given[k] = number.has_value();
     if (!number && text.needed())
       throw std::invalid_argument(fmt::format("{} is missing", text.name));
     if (value != nullptr)
       value(law) = number ? *number : fallback(law);
+    else
+      law.*from_stress.given = number;
   }
-  law.A_do = input.A_do;
-  law.z_max = input.z_max;
   law.post_shake = input.post_shake;
   const double nu = law.elastic.poisson;
   law.M = 2.0 * std::sin(law.phi_cv);
@@ -295,13 +296,13 @@ std::vector<ParameterValue> parameters(const Pm4Sand& law) {
   const pm4::Initial at_p_A = pm4::initial_state(law, {law.p_A, {}}).start;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Row& one = rows[k];
-    if (one.text.name == "A_do")
-      list.push_back(from_stress(one, law.A_do, at_p_A.A_do));
-    else if (one.text.name == "z_max")
-      list.push_back(from_stress(one, law.z_max, at_p_A.z_max));
-    else
-      list.push_back(report(one.text, value_of(one, law),
-                            law.given[k] ? "given" : fmt::format("default: {}", one.text.otherwise)));
+    const std::string origin = law.given[k] ? "given" : fmt::format("default: {}", one.text.otherwise);
+    if (one.value != nullptr)
+      list.push_back(report(one.text, value_of(one, law), origin));
+    else if (const auto& given = law.*one.from_stress.given)
+      list.push_back(report(one.text, *given));
+    else // shown for an isotropic p_0 = p_A
+      list.push_back(report(one.text, at_p_A.*one.from_stress.start, origin + "; here at p_0 = p_A"));
   }
   list.push_back({"post_shake", law.post_shake ? 1.0 : 0.0, "1", "1: reduced stiffness after shaking",
                   law.post_shake ? "given" : "default: 0"});
@@ -312,7 +313,7 @@ void validate(const Pm4Sand& law) {
   for (const Row& one : rows)
     if (one.value != nullptr)
       check(one.text, value_of(one, law));
-    else if (const auto& given = one.text.name == "A_do" ? law.A_do : law.z_max)
+    else if (const auto& given = law.*one.from_stress.given)
       check(one.text, *given);
   check(law.elastic);
   if (!(law.e_min < law.e_max))

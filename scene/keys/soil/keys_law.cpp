@@ -23,11 +23,16 @@ std::string_view kept(std::string text) {
   return texts.emplace_back(std::move(text));
 }
 
-/// A few words as a sentence.
-std::string sentence(std::string_view words) {
+/// The words with a capital letter in front.
+std::string capitalised(std::string_view words) {
   std::string text(words);
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text + ".";
+  return text;
+}
+
+/// The meaning as a sentence, with a remark behind it.
+std::string sentences(std::string_view meaning, std::string_view remark) {
+  return fmt::format("{}.{}{}", capitalised(meaning), remark.empty() ? "" : " ", remark);
 }
 
 std::vector<Parameter> with_elastic_constants(std::vector<Parameter> own) {
@@ -115,27 +120,26 @@ bool all_remark(const std::vector<Use>& uses) {
       uses, [&](const Use& use) { return use.parameter.remark == uses.front().parameter.remark; });
 }
 
-/// That of the largest group.
+/// The parameter as most models have it.
 const Parameter& most_used(const std::vector<Use>& uses) {
   return std::ranges::max_element(uses, {}, [](const Use& use) { return use.models.size(); })->parameter;
 }
 
 std::string meaning_of(const std::vector<Use>& uses, const Range& all) {
   const Parameter& common = most_used(uses);
-  std::string text = sentence(common.meaning);
-  if (all_remark(uses) && !common.remark.empty())
-    text += fmt::format(" {}", common.remark);
+  const bool one_remark = all_remark(uses);
+  std::string text = sentences(common.meaning, one_remark ? common.remark : "");
   for (const Use& use : uses) {
     std::vector<std::string> parts;
     if (use.parameter.meaning != common.meaning)
       parts.emplace_back(use.parameter.meaning);
     if (!same(use.parameter.range, all))
       parts.push_back(use.parameter.range.text());
-    if (!all_remark(uses) && !use.parameter.remark.empty())
+    if (!one_remark && !use.parameter.remark.empty())
       parts.emplace_back(use.parameter.remark);
     if (!parts.empty())
-      text += fmt::format(" {}: {}{}", sentence(use.named()).substr(0, use.named().size()),
-                          fmt::join(parts, "; "), parts.back().ends_with('.') ? "" : ".");
+      text += fmt::format(" {}: {}{}", capitalised(use.named()), fmt::join(parts, "; "),
+                          parts.back().ends_with('.') ? "" : ".");
   }
   return text;
 }
@@ -194,8 +198,7 @@ Key key_of(const Parameter& parameter) {
   return {.name = parameter.name,
           .type = parameter.whole ? Type::integer : Type::number,
           .unit = parameter.unit,
-          .meaning = kept(sentence(parameter.meaning) +
-                          (parameter.remark.empty() ? "" : fmt::format(" {}", parameter.remark))),
+          .meaning = kept(sentences(parameter.meaning, parameter.remark)),
           .required = parameter.needed(),
           .fallback = parameter.fallback,
           .otherwise = parameter.otherwise,

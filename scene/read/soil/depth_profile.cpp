@@ -4,6 +4,7 @@
 
 #include "scene/read/soil/depth_profile.hpp"
 
+#include "base/text/unit_text.hpp"
 #include "scene/read/reader.hpp"
 #include "scene/text/nearest.hpp"
 
@@ -61,8 +62,8 @@ private:
       wrong(node, fmt::format("'{}' of the profile '{}' must be a finite number, found {}", name, key_.name,
                               value ? fmt::to_string(*value) : type_name(node)));
     else if (!range.contains(*value))
-      wrong(node, fmt::format("'{}' = {} of the profile '{}' is out of range, must be {}{}{}", name, *value,
-                              key_.name, range.text(), unit == "1" ? "" : " ", unit == "1" ? "" : unit));
+      wrong(node, fmt::format("'{}' = {} of the profile '{}' is out of range, must be {}", name, *value,
+                              key_.name, with_unit(range.text(), unit)));
     return value.value_or(0.0);
   }
 

@@ -1,4 +1,6 @@
 #include "scene/read/soil/read_soil.hpp"
+
+#include "base/text/unit_text.hpp"
 #include "scene/keys/soil/keys_law.hpp"
 #include "scene/read/read.hpp"
 #include "scene/read/soil/read_water.hpp"
@@ -41,10 +43,8 @@ bool sound_numbers(const TableReader& table, SoilModel model, Findings& findings
       need(table, parameter.name, findings);
     if (const auto value = table.optional_number(parameter.name); value && !parameter.range.contains(*value))
       findings.add(table.path(parameter.name),
-                   fmt::format("'{}' = {} is out of range, must be {}{}{} with model = \"{}\"",
-                               parameter.name, *value, parameter.range.text(),
-                               parameter.unit == "1" ? "" : " ", parameter.unit == "1" ? "" : parameter.unit,
-                               name(model)));
+                   fmt::format("'{}' = {} is out of range, must be {} with model = \"{}\"", parameter.name,
+                               *value, with_unit(parameter.range.text(), parameter.unit), name(model)));
     sound = sound && findings.sound(table.path(parameter.name));
   }
   return sound;
