@@ -33,7 +33,7 @@ struct Domain : Ground {
 
 /// Orders all particles by tile and cell, lets boundary and structures follow, and finds what particles may
 /// touch; the grid's fields become zero.
-/// @throws std::runtime_error if a particle has left the grid, naming its place
+/// @throws std::runtime_error if a particle has left the grid, naming its position
 void sort_particles(Domain& domain);
 
 /// Finds what particles, boundary and structures may touch until the next sort.

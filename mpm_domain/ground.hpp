@@ -174,15 +174,15 @@ void keep_whole(Ground& ground, std::size_t set, std::uint32_t id);
 
 /// Orders all particles by tile and cell; the grid's fields become zero. Where ranks share the ground,
 /// particles move to the rank of their tile. What particles may touch must be found next: find_reach().
-/// @throws std::runtime_error if a particle has left the grid, naming its place
+/// @throws std::runtime_error if a particle has left the grid, naming its position
 void order_particles(Ground& ground);
 
 /// Finds what particles may touch until the next sort, and the weights of those across several lattices.
 /// @param shared_nodes  which this rank needs besides, where ranks share the ground
 void find_reach(Ground& ground, std::span<const std::size_t> shared_nodes);
 
-/// Computes the weights of particles that touch several lattices at their present places, for the given clock
-/// and all faster ones.
+/// Computes the weights of particles that touch several lattices at their present positions, for the given
+/// clock and all faster ones.
 void weigh_across(Ground& ground, int slowest_clock = 0);
 
 /// A node with less mass than this (kg/m) counts as empty. Boxes that reach a node by 1e-10 of a cell leave

@@ -1,6 +1,6 @@
 #include "app/free_field/column_recording.hpp"
 
-#include "app/free_field/free_field_series.hpp"
+#include "app/free_field/series/free_field_series.hpp"
 #include "freefield/process/column_values.hpp"
 #include "results/free_field_recording.hpp"
 #include "scene/plan/free_field_traits.hpp"

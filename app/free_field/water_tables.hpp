@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/free_field/free_field_series.hpp"
+#include "app/free_field/series/free_field_series.hpp"
 #include "results/run_file.hpp"
 #include "scene/case.hpp"
 

@@ -143,7 +143,7 @@ std::string answer(const mpm_domain::FactorOfSafety& safety) {
 }
 
 /// A text on the position of the failing soil, and its interpretation.
-std::string place_of_failure(const mpm_domain::FactorOfSafety& safety, double cell_size,
+std::string position_of_failure(const mpm_domain::FactorOfSafety& safety, double cell_size,
                              const std::optional<Ends>& ends) {
   std::string text;
   if (!safety.structures.empty())
@@ -207,7 +207,7 @@ void find(const Options& options) {
                                     : mpm_domain::factor_of_safety(spec, options.tolerance, progress);
   fmt::print("{}", answer(safety));
   if (safety.fails)
-    fmt::print("{}", place_of_failure(safety, spec.cell_size, ends_of(options)));
+    fmt::print("{}", position_of_failure(safety, spec.cell_size, ends_of(options)));
   if (!options.out.empty())
     write(options, trials, safety);
   if (options.floor && safety.fails)

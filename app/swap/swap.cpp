@@ -1,7 +1,7 @@
 #include "app/swap/swap.hpp"
 
 #include "app/commands.hpp"
-#include "app/free_field/free_field_series.hpp"
+#include "app/free_field/series/free_field_series.hpp"
 #include "app/study/differences.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/plan.hpp"

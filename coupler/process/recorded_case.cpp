@@ -2,6 +2,7 @@
 
 #include "base/text/text_file.hpp"
 #include "coupler/wire/handshake/messages.hpp"
+#include "scene/plan/free_field_traits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -158,8 +159,8 @@ std::string free_field_identity(const scene::Case& scene) {
     if (!scene.boundary.has_lateral_fields() && side != scene::Side::base)
       continue;
     const std::string model = unquoted(value_of(all, fmt::format("boundary.{}.model", scene::name(side))));
-    if (model == scene::name(scene::SourceModel::recording) ||
-        model == scene::name(scene::SourceModel::external))
+    if (const auto known = value_named<scene::SourceModel>(model);
+        known && scene::traits(*known).from_outside)
       return "";
     identity += fmt::format("{} {}\n", scene::name(side), model);
     for (const auto& [key, value] : of_free_field(all, side, model))

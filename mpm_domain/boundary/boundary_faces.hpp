@@ -103,7 +103,7 @@ mesh::Rectangle line_of(const BoundaryFace& face, const FacePosition& position);
 /// the outermost face.
 Box soil_limits(const Ground& ground, std::span<const BoundaryFace> faces);
 
-/// Weights of a face with its particle at a place, or at its present one, of nodes that are not tied.
+/// Weights of a face with its particle at a point, or at its present one, of nodes that are not tied.
 void face_weights(const Ground& ground, const BoundaryFace& face, const FacePosition& position,
                   FaceWeights& weights);
 void face_weights(const Ground& ground, const BoundaryFace& face, FaceWeights& weights);

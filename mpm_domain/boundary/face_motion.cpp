@@ -38,7 +38,7 @@ FaceMotion::FaceMotion(std::size_t faces)
     : weights_(faces), clock_(faces), seen_(faces), seen_mean_(faces), mean_(faces), velocity_(faces),
       step_sums_(3 * faces) {}
 
-/// The face's weights at the place of its soil, and at the first tick its clock.
+/// The face's weights at the position of its soil, and at the first tick its clock.
 void FaceMotion::weigh(Step& step, const BoundaryFace& face, std::size_t f, std::span<const FaceSoil> soil) {
   const Ground& ground = step.ground;
   FaceWeights& weights = weights_[f];

@@ -37,7 +37,7 @@ public:
   explicit FaceMotion(std::size_t faces);
 
   /// At the first tick of a step: finds weights and clock of each face, and v^m for the exchange.
-  /// @param soil  by face; empty where the places of dry particles are read
+  /// @param soil  by face; empty where the positions of dry particles are read
   void begin_step(Step& step, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil);
   /// At a later tick: finds weights and v^m of the faces that are due.
   void go_on(Step& step, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil);

@@ -23,8 +23,8 @@ public:
   /// After a sort: finds what ranks exchange until the next one; all of them must call it.
   void follow_sort(const Ground& ground, std::span<const BoundaryFace> faces);
   /// After a scatter: reads the soil. Ranks exchange it, and the sums at the shared nodes, in
-  /// one message. Where there is pore water faces become as long as their soil. Places are all that dry soil
-  /// needs of its faces: nothing is read where no ranks share it.
+  /// one message. Where there is pore water faces become as long as their soil. Positions are all that dry
+  /// soil needs of its faces: nothing is read where no ranks share it.
   void read(Ground& ground, std::span<BoundaryFace> faces);
 
   /// The soil at each face if there is pore water or if ranks share the domain; else empty.

@@ -21,7 +21,7 @@ public:
   ClockMap(const mesh::Quadtree& tree, int buffer_layers);
 
   int count() const { return count_; }
-  /// The clock of a particle at a place, m.
+  /// The clock of a particle at a point, m.
   int at(double x, double y) const;
 
 private:

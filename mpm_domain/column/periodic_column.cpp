@@ -50,21 +50,21 @@ PeriodicColumn::PeriodicColumn(PeriodicColumnSpec spec)
     face.ground.impedance_p = spec_.half_space.density * spec_.half_space.p_wave_speed();
     face.ground.impedance_s = spec_.half_space.density * spec_.half_space.s_wave_speed();
   }
-  struct Place {
+  struct Position {
     double y;
     std::size_t set;
     std::uint32_t id;
   };
-  std::vector<Place> positions;
+  std::vector<Position> positions;
   for (std::size_t s = 0; s < domain_.sets.size(); ++s) {
     const Particles& set = domain_.sets[s];
     for (std::size_t k = 0; k < set.size(); ++k)
       if (set.x[k] - spec_.domain.box.x_min < 2.0 * domain_.half_size())
         positions.push_back({set.y[k], s, set.id[k]});
   }
-  std::ranges::sort(positions, {}, &Place::y);
+  std::ranges::sort(positions, {}, &Position::y);
   levels_.push_back(spec_.domain.box.y_min);
-  for (const Place& position : positions) {
+  for (const Position& position : positions) {
     sets_.push_back(position.set);
     ids_.push_back(position.id);
     levels_.push_back(position.y);

@@ -2,7 +2,8 @@
 
 // A free field with the domain's own discretisation: a periodic domain one cell wide, shaken through its base
 // by the incident wave, Eqs. (4) and (5) of the method. Where a flat domain has the same cells, particles and
-// time step, its side faces find at their own places the very velocity and stress that the domain has inside.
+// time step, its side faces find at their own positions the very velocity and stress that the domain has
+// inside.
 
 #include "mpm_domain/gravity/gravity_stage.hpp"
 #include "mpm_domain/step/stepper.hpp"

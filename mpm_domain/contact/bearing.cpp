@@ -7,7 +7,7 @@
 // toe the nearest does, if it is less than a cell away.
 //
 // Momentum is exact. The soil takes the impulse at the node: angular momentum changes by impulse times the
-// distance between both places.
+// distance between both positions.
 
 #include "mpm_domain/contact/contact_nodes.hpp"
 

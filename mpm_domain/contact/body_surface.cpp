@@ -90,7 +90,7 @@ BodySurface::Nearest BodySurface::nearest(const Vector& position) const {
   const double t = std::clamp(along, 0.0, 1.0);
   const Vector away = position - from - t * edge;
   const double distance = std::sqrt(dot(away, away));
-  if (t == along) // from within the edge, it shows on which side of it a place lies
+  if (t == along) // from within the edge, it shows on which side of it a point lies
     return {std::copysign(distance, dot(away, normals_[k])), normals_[k], false};
   const bool corner = kinds_[along < 0.0 ? before(k) : k] != Point::round;
   if (distance == 0.0)

@@ -26,7 +26,7 @@ public:
   const mesh::Rectangle& bounds() const { return bounds_; }
   bool contains(const Vector& position) const;
 
-  /// The point of the outline next to a place, how far that lies outside (m; negative inside), the normal
+  /// The point of the outline next to a given one, how far that lies outside (m; negative inside), the normal
   /// there, out of the body, and whether it is a corner.
   struct Nearest {
     double distance;
@@ -38,8 +38,8 @@ public:
   /// Whether the normal of an edge is within 45 degrees of a direction.
   static bool faces(const Vector& normal, const Vector& direction);
 
-  /// The point next to a place on the edges that face a direction, and whether that is a toe, a corner that
-  /// sticks out, beyond which the place lies.
+  /// The point next to a given one on the edges that face a direction, and whether that is a toe, a corner
+  /// that sticks out, beyond which the point lies.
   struct Foot {
     Vector position;
     bool toe;
@@ -64,7 +64,7 @@ private:
     Lanes x{}, y{};           ///< from there to its end, m
     Lanes per_length2{};      ///< 1/m2
   };
-  /// The edge next to a place, by the point where it ends.
+  /// The edge next to a point, by the corner where it ends.
   std::size_t nearest_edge(const Vector& position) const;
 
   std::vector<Point> kinds_;

@@ -152,7 +152,7 @@ private:
   struct NodeUse {
     std::size_t node;
     std::size_t body;
-    std::size_t at; ///< its place among the contact nodes of the body
+    std::size_t at; ///< its index among the contact nodes of the body
     bool own;       ///< the node is the elastic body's own, not that of the soil
   };
   /// A contact node of a body whose velocities another contact changes too.

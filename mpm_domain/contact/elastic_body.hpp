@@ -1,7 +1,7 @@
 #pragma once
 
 // Properties of an elastic body, for contact and output, besides its particles: its surface, which moves with
-// them, and its motion as a whole. With X_p, x_p places at the start and now, measured from the centroids
+// them, and its motion as a whole. With X_p, x_p positions at the start and now, measured from the centroids
 // X_c, x_c,
 //
 //     x_c = sum m x / M,    V = sum m v / M,    omega = sum m (x_p cross (v_p - V)) / sum m |x_p|^2,
@@ -26,8 +26,8 @@ struct Particles;
 class ElasticBody {
 public:
   /// @param structure  that the particles fill
-  /// @param number     of the body among the elastic ones: its place in Ground::bodies
-  /// @param sets       of the body's particles, at their places of the start
+  /// @param number     of the body among the elastic ones: its index in Ground::bodies
+  /// @param sets       of the body's particles, at their positions of the start
   /// @param spacing    largest distance of points of the surface, m
   ElasticBody(const Structure& structure, std::size_t number, std::span<const Particles> sets,
               double spacing);
@@ -38,7 +38,7 @@ public:
   /// Points along the hole, m; none: it has no hole.
   const std::vector<Vector>& hole() const { return hole_; }
 
-  /// Brings the surface, and place and motion of the body as a whole, to where particles are now.
+  /// Brings the surface, and position and motion of the body as a whole, to where particles are now.
   /// @param sets   as before
   /// @param whole  the body as it was at the start, if it were rigid; takes its motion
   void follow(std::span<const Particles> sets, RigidBody& whole);

@@ -13,7 +13,7 @@
 //
 // Everything else, effective stress and excess pressure, comes through
 // contact (rigid_contact.hpp). V and omega belong to the same times as velocities of particles, X and theta
-// to those of their places.
+// to those of their positions.
 
 #include "mpm_domain/contact/body_surface.hpp"
 #include "mpm_domain/head/head.hpp"

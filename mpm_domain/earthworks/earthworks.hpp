@@ -38,7 +38,7 @@ public:
     return begun_ < going_.size() && time >= ground.spec.earthworks[begun_].growth.start;
   }
   /// Places and removes soil; the next one has begun then.
-  /// @param order  brings particles into the order of their places, and lets all that follow it
+  /// @param order  brings particles into the order of their positions, and lets all that follow it
   void begin(Ground& ground, const std::function<void()>& order);
 
   /// Forces that the nodes still lack.

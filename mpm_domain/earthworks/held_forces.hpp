@@ -29,7 +29,7 @@ struct NodeLoad {
   Vector force;      ///< weight included, N/m
 };
 
-/// The loads of all nodes with mass. Particles must be in the order of their present places.
+/// The loads of all nodes with mass. Particles must be in the order of their present positions.
 std::map<PlaceInModel, NodeLoad> node_loads(Ground& ground);
 
 class HeldForces {

@@ -29,7 +29,7 @@ namespace tremolo::mpm_domain {
 /// stress of its own weight.
 void carry_over(const Domain& before, Domain& after);
 
-/// The bodies that are not among the structures of the model after, as places in Contact::bodies().
+/// The bodies that are not among the structures of the model after, as indices into Contact::bodies().
 std::vector<std::size_t> removed_structures(const Domain& before, const std::vector<Structure>& after);
 
 /// c of the nodes of the model after; a placed body begins without forces.

@@ -1,7 +1,7 @@
 #pragma once
 
 // The gravity stage finds stresses in equilibrium with the given geometry. Base nodes are fixed, side nodes
-// may move vertically only. Particles keep their places, as finite-element programs do when they reset
+// may move vertically only. Particles keep their positions, as finite-element programs do when they reset
 // displacements after a geostatic step, so the weights are constant and the velocity can stay on the grid:
 //
 //     m_i dv_i/dt = f_i - alpha m_i v_i,      alpha = 2 omega_1,      omega_1 = pi c_s / (2 H),
@@ -17,7 +17,7 @@
 //
 //     share(t) = (1 - cos(pi t/T))/2,      0 <= t <= T,
 //
-// while the ground is damped as above, and stays; then the stage goes on until all rests. Places, and with
+// while the ground is damped as above, and stays; then the stage goes on until all rests. Positions, and with
 // them the weights, are kept here too, as in any analysis of small displacements; the way that the soil has
 // gone, u = int v dt, counts as displacement from then on; that of a rigid structure is reported. Static
 // stages are drained unless they say otherwise, for all soils or some: what an undrained one has done to the
@@ -56,7 +56,7 @@ struct Reactions {
   std::vector<std::size_t> sides; ///< nodes fixed in x only
   std::vector<Vector> force;      ///< one per node of the grid; zero where free
   bool slipping = false; ///< structures or linings do not rest on their friction: bonds stay until shaking
-  std::vector<std::size_t> slipping_bodies; ///< those that do, as places in Contact::bodies()
+  std::vector<std::size_t> slipping_bodies; ///< those that do, as indices into Contact::bodies()
   std::vector<CutStress> cut;               ///< soils that cannot hold their stress
   std::vector<StructureWay> ways; ///< of rigid structures; none where there is no stage after gravity
 };

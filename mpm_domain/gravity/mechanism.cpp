@@ -10,7 +10,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// The place of the equivalent plastic strain in a law's state, or nothing.
+/// The index of the equivalent plastic strain in a law's state, or nothing.
 std::optional<std::size_t> plastic_strain_place(const materials::Law& law) {
   const auto variables = materials::state_variables(law);
   const auto found =

@@ -277,7 +277,7 @@ void Relaxation::add_way() {
   }
 }
 
-/// u_p = sum S u_i: particles keep their places, and have come from others.
+/// u_p = sum S u_i: particles keep their positions, and have come from others.
 void Relaxation::take_way_as_displacement() {
   std::ranges::copy(way_x_, domain_.grid.vx_after.begin());
   std::ranges::copy(way_y_, domain_.grid.vy_after.begin());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Damped relaxation of a domain whose particles keep their places (gravity_stage.hpp):
+// Damped relaxation of a domain whose particles keep their positions (gravity_stage.hpp):
 //
 //     m_i dv_i/dt = f_i + (1 - s) c_i - alpha m_i v_i,      s(t) = (1 - cos(pi t/T))/2,
 //

@@ -64,7 +64,7 @@ void drain(Domain& domain, const UndrainedSoils& undrained) {
       set.pore_pressure = set.pressure_at_rest;
 }
 
-/// Moves the particles of an elastic body, which have kept their places, by their displacement.
+/// Moves the particles of an elastic body, which have kept their positions, by their displacement.
 void displace(Particles& set) {
   for (std::size_t k = 0; k < set.size(); ++k) {
     const Vector way{set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};

@@ -25,9 +25,9 @@ struct InverseMoments {
 };
 
 /// Weights of real nodes for consecutive particles whose boxes touch several lattices or a virtual node, or
-/// are larger than half a cell. An affine velocity v_p + C (x - x_p) is evaluated at the places of the real
-/// nodes. If it were evaluated at virtual nodes and then shared out, real nodes would receive the velocity of
-/// places between them, and every step would smooth a linear field.
+/// are larger than half a cell. An affine velocity v_p + C (x - x_p) is evaluated at the positions of the
+/// real nodes. If it were evaluated at virtual nodes and then shared out, real nodes would receive the
+/// velocity of positions between them, and every step would smooth a linear field.
 ///
 /// The cells that a box may touch are found once after a sort. In each step only the parts of the box in
 /// these cells are computed again.
@@ -36,9 +36,9 @@ public:
   /// Forgets everything. The particles that follow begin with number `first`.
   void restart(std::size_t first);
   /// Finds the cells that the next particle's box may touch from now on.
-  /// @param reach  all places that the box may come to, m
+  /// @param reach  all positions that the box may come to, m
   void expect(const GradedMesh& mesh, BasisCells& cells, const mesh::Rectangle& reach);
-  /// Call after the last particle: gives the fours of all cells their places in fours().
+  /// Call after the last particle: gives the fours of all cells their indices in fours().
   void settle(const BasisCells& cells);
 
   /// Forgets the weights and keeps the cells.
@@ -63,7 +63,7 @@ public:
   const InverseMoments& per_moments(std::size_t particle) const { return per_moments_[particle - first_]; }
 
 private:
-  /// A cell of the table; the places of its fours follow each other.
+  /// A cell of the table; the positions of its fours follow each other.
   struct TouchedCell {
     std::uint32_t number;
     std::uint32_t first_place;

@@ -1,7 +1,7 @@
 #pragma once
 
 // Elastic bodies have nodes of their own, so that they may move apart from the soil: a lattice for each,
-// behind those of the soil in the arrays of all nodes. Its nodes lie at the places of nodes of the soil's
+// behind those of the soil in the arrays of all nodes. Its nodes lie at the positions of nodes of the soil's
 // finest lattice, nothing ties them to others, and it follows the body from sort to sort. Soil and body meet
 // where both have a node (contact/contact.hpp).
 

@@ -79,7 +79,7 @@ private:
       last = std::max(last, to);
     }
   };
-  struct Place {
+  struct Position {
     int level, row, column;
   };
 
@@ -91,7 +91,7 @@ private:
                                            column / tile_columns)];
   }
 
-  Place position_of(std::size_t node) const {
+  Position position_of(std::size_t node) const {
     int level = 0;
     while (node >= ground_.lattice(level).first + ground_.lattice(level).count())
       ++level;

@@ -46,7 +46,7 @@ double permeability(const Spec& spec, std::size_t soil) {
   return of.pores->permeability;
 }
 
-/// The permeability at a place of the ground; nothing outside of all regions.
+/// The permeability at a point of the ground; nothing outside of all regions.
 class Permeabilities {
 public:
   explicit Permeabilities(const Spec& spec) : spec_(spec) {

@@ -9,7 +9,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// A place along an axis of nodes: the node before it, and how far it lies on the way to the next.
+/// A point along an axis of nodes: the node before it, and how far it lies on the way to the next.
 struct Along {
   std::size_t before;
   double way;  ///< 0 to 1

@@ -29,7 +29,7 @@ struct HeadGrid {
   std::size_t node(std::size_t i, std::size_t j) const { return j * columns + i; }
 };
 
-/// The head at a place.
+/// The head at a point.
 struct HeadThere {
   double head = 0.0; ///< m
   Vector slope;      ///< grad h, 1
@@ -47,9 +47,9 @@ public:
   /// The level of the table, m; nothing if the head is not the same everywhere.
   const double* level() const { return std::get_if<double>(&field_); }
   HeadThere at(double x, double y) const;
-  /// Whether a place lies below the phreatic surface.
+  /// Whether a point lies below the phreatic surface.
   bool is_wet(double x, double y) const { return at(x, y).head > y; }
-  /// The highest place at x with water below it, between two levels, m; `low` where there is none.
+  /// The highest point at x with water below it, between two levels, m; `low` where there is none.
   double surface(double x, double low, double high) const;
 
 private:

@@ -7,11 +7,11 @@
 //
 //     X'_q = sum c_I N_I x_I / sum c_I N_I,       c_I = min(1, 100 m_I/(rho h^2)),
 //
-// X'_q being the place at which the soil answers. Where all four nodes of a cell have soil that is X_q. Nodes
-// count by their mass while soil barely reaches them: B m^-1 B^T then goes to zero with m_I. With c_I = 1 a
-// node that the smallest motion of soil has given next to no mass would answer for its segment, which would
-// lose its pressure at once. Both sides act at the same place, so that the impulses B^T j on the soil and
-// H^T j on the beam have the same sum and the same moment: momentum and angular momentum are exact.
+// X'_q being the position at which the soil answers. Where all four nodes of a cell have soil that is X_q.
+// Nodes count by their mass while soil barely reaches them: B m^-1 B^T then goes to zero with m_I. With c_I =
+// 1 a node that the smallest motion of soil has given next to no mass would answer for its segment, which
+// would lose its pressure at once. Both sides act at the same position, so that the impulses B^T j on the
+// soil and H^T j on the beam have the same sum and the same moment: momentum and angular momentum are exact.
 //
 // Contact at each node by itself would tie soil to the lining at up to a cell from it, and so make the lining
 // larger than it is; the means over a cell do not.

@@ -58,7 +58,7 @@ SurfacePoint carried(const Vector& at, std::size_t element, const Beam& beam) {
   return {element, xi, turned_back(beam.place_of_element(element).axis, at - between(ends.a, ends.b, xi))};
 }
 
-/// A place on the outline, the normal there, into the body, and the number of its edge.
+/// A point on the outline, the normal there, into the body, and the number of its edge.
 struct RunPlace {
   Vector position, normal;
   std::size_t edge;
@@ -75,7 +75,7 @@ struct Run {
       sum += std::hypot(points[k + 1].x - points[k].x, points[k + 1].y - points[k].y);
     return sum;
   }
-  /// The place at a distance (m) from its beginning.
+  /// The point at a distance (m) from its beginning.
   RunPlace at(double distance) const {
     for (std::size_t k = 0;; ++k) {
       const double edge = std::hypot(points[k + 1].x - points[k].x, points[k + 1].y - points[k].y);

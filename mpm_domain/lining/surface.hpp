@@ -69,7 +69,7 @@ Vector foot(const SurfacePoint& point, const Beam& beam);
 /// The normal of a segment now, from soil to lining.
 Vector normal(const SurfaceSegment& segment, const Beam& beam);
 
-/// Adds a share of H for a place that the beam carries as it carries a point of its surface.
+/// Adds a share of H for a point that the beam carries like one of its surface.
 void add_velocity(const SurfacePoint& point, const Vector& at, double share, const Beam& beam,
                   std::vector<BeamShare>& to);
 

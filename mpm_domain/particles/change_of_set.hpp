@@ -17,7 +17,7 @@ void add_quarter(const Particles& from, std::size_t k, Particles& to);
 /// Adds a copy of a particle to a set with the same fields, with an id of its own there.
 void add_copy(const Particles& from, std::size_t k, Particles& to);
 
-/// Takes the particles of these places, in rising order and at least one, out of a set.
+/// Takes the particles of these indices, in rising order and at least one, out of a set.
 void remove(Particles& p, const std::vector<std::size_t>& gone);
 
 } // namespace tremolo::mpm_domain

@@ -187,12 +187,12 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec,
                      const std::function<bool(std::size_t, std::size_t)>& concerns) {
   const int finest = std::ranges::max(sets, {}, &Particles::level).level;
   const double width = particle_size(spec, finest);
-  struct Place {
+  struct Position {
     double y;
     Particles* set;
     std::size_t k;
   };
-  std::vector<std::vector<Place>> columns(
+  std::vector<std::vector<Position>> columns(
       static_cast<std::size_t>(std::lround((spec.box.x_max - spec.box.x_min) / width)));
   for (std::size_t s = 0; s < sets.size(); ++s)
     for (std::size_t k = 0; k < sets[s].size(); ++k) {
@@ -206,16 +206,16 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec,
       set.syy[k] = 0.0;
     }
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    std::vector<Place>& column = columns[c];
+    std::vector<Position>& column = columns[c];
     std::vector<std::pair<double, double>> cavities;
     for (const Lining& lining : spec.linings)
       if (const auto chord =
               chord_at(lining.outline, spec.box.x_min + (static_cast<double>(c) + 0.5) * width))
         cavities.push_back(*chord);
-    const Place* above = nullptr;
-    std::sort(column.begin(), column.end(), [](const Place& a, const Place& b) { return a.y > b.y; });
+    const Position* above = nullptr;
+    std::sort(column.begin(), column.end(), [](const Position& a, const Position& b) { return a.y > b.y; });
     double overburden = 0.0;
-    for (const Place& position : column) {
+    for (const Position& position : column) {
       Particles& set = *position.set;
       for (const auto& [top, bottom] : cavities)
         if (const double middle = 0.5 * (top + bottom);

@@ -29,7 +29,7 @@ struct ParticleRange {
 struct Particles : ParticleFields {
   std::string soil;
   std::size_t soil_index = 0; ///< into Spec::soils
-  /// The place in Ground::bodies of the elastic body that the particles are part of. They have no soil_index;
+  /// The index in Ground::bodies of the elastic body that the particles are part of. They have no soil_index;
   /// `soil` is the name of the structure.
   std::optional<std::size_t> body = {};
   int level = 0;          ///< of the cells that they belong to by their size
@@ -88,7 +88,7 @@ private:
   }
 };
 
-/// The tile that a particle belongs to at its present place on a lattice.
+/// The tile that a particle belongs to at its present position on a lattice.
 std::size_t tile_of(const Particles& particles, std::size_t k, const TileMap& tiles, int level);
 
 /// The finest lattice of a graded mesh that a particle may touch on a way of `margin` (m), and whether it
@@ -104,7 +104,7 @@ LatticeOfParticle lattice_of(const Particles& particles, std::size_t k, const Gr
 /// a cell keep their order.
 /// @param level   of the lattice
 /// @param blocks  of the domain; those of the lattice are its tiles
-/// @throws std::runtime_error if a particle has left the lattice, naming its place
+/// @throws std::runtime_error if a particle has left the lattice, naming its position
 void sort_by_cell(Particles& particles, const TileMap& tiles, int level, std::size_t blocks);
 
 /// Half sides of a particle's box, m.
@@ -121,8 +121,8 @@ inline mesh::Rectangle box_of(const Particles& p, std::size_t k) {
   return {p.x[k] - l.x, p.y[k] - l.y, p.x[k] + l.x, p.y[k] + l.y};
 }
 
-/// All places that the box of a particle may come to while particles move by up to a distance (m). The side
-/// of a box that follows the soil moves relative to its particle too, by as much again.
+/// All positions that the box of a particle may come to while particles move by up to a distance (m). The
+/// side of a box that follows the soil moves relative to its particle too, by as much again.
 inline mesh::Rectangle reach_of(const Particles& p, std::size_t k, double distance) {
   const mesh::Rectangle box = box_of(p, k);
   const double margin = p.has_own_boxes() ? 2.0 * distance : distance;
@@ -135,7 +135,7 @@ inline mesh::Rectangle reach_of(const Particles& p, std::size_t k, double distan
 /// the next sort, and particles whose box is too large for the lattice's kernel: its half side is larger than
 /// half a cell, or than a cell where boxes follow the soil.
 /// @param margin  how far particles may move until the next sort, m
-/// @throws std::runtime_error if a particle has left the mesh, naming its place
+/// @throws std::runtime_error if a particle has left the mesh, naming its position
 void sort_by_lattice(Particles& particles, const GradedMesh& mesh, const TileMap& tiles,
                      const ClockMap& clocks, double margin);
 

@@ -8,7 +8,7 @@
 // with its stress, state and affine velocity C = B D^-1 (zero unless APIC); a box that follows the soil is
 // cut likewise, M/4 each. The boxes of the four tile its own, so the mean of their weights is its weight, 1/4
 // sum_k S_Ik = S_Ip and 1/4 sum_k G_Ik = G_Ip: mass, momentum and force of every node stay as they are.
-// Places, displacement and angular momentum stay too; the kinetic energy of C becomes that of the four.
+// Positions, displacement and angular momentum stay too; the kinetic energy of C becomes that of the four.
 
 #include "mpm_domain/ground.hpp"
 

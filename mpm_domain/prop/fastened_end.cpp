@@ -17,7 +17,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// A particle near a place.
+/// A particle near a point.
 struct Near {
   std::size_t set;
   std::size_t k;

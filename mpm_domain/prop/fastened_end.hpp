@@ -30,14 +30,14 @@ class FastenedEnd {
 public:
   /// Particles that it holds stay whole from then on.
   /// @param ground  at the start
-  /// @throws std::invalid_argument for a structure that is not there, or a place without particles
+  /// @throws std::invalid_argument for a structure that is not there, or a point without particles
   FastenedEnd(const PropFastening& fastening, Ground& ground, const Contact& contact);
 
   /// Present position of the end, m.
   Vector position(const Ground& ground, const Contact& contact) const;
   /// Around the particles that it holds; none: it is on a rigid body.
   std::optional<mesh::Rectangle> bounds(const Ground& ground) const;
-  /// Finds the nodes that it pulls at, for the particles' present places.
+  /// Finds the nodes that it pulls at, for the particles' present positions.
   void follow(const Ground& ground);
   /// Its velocity from those of the nodes after the update, or of its body, m/s.
   Vector velocity(const Ground& ground, const Contact& contact) const;

@@ -11,7 +11,7 @@ struct Ground;
 
 /// Adds the nodes that a particle touches, tied ones replaced by those that they follow, with a share (1) of
 /// its weights S.
-/// @param k  the particle's present place in its set
+/// @param k  the particle's present index in its set
 void add_nodes(const Ground& ground, std::size_t set, std::size_t k, double share,
                std::vector<NodeShare>& nodes);
 

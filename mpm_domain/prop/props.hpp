@@ -6,7 +6,7 @@
 //     F_a = N d,      F_b = -N d,      de/dt = dL/dt,
 //
 // a pair of forces along one line, so that momentum and angular momentum stay. While the ground comes to
-// rest, places stay and displacements are small: dL/dt = d . (v_b - v_a) there.
+// rest, positions stay and displacements are small: dL/dt = d . (v_b - v_a) there.
 //
 // A prop is marched explicitly with its ends. Beside it alone they would bear steps of 2/omega,
 //
@@ -29,7 +29,7 @@ namespace tremolo::mpm_domain {
 
 class Props {
 public:
-  /// Props at their places of the start, with their prestress.
+  /// Props at their positions of the start, with their prestress.
   /// @throws std::invalid_argument as FastenedEnd and Spring do, and for ends in one place
   Props(Ground& ground, const Contact& contact);
 
@@ -52,7 +52,7 @@ public:
   void act(Ground& ground, Contact& contact);
   /// Takes the forces from the nodes again: what is booked from then on is the work of stresses.
   void take_off(Ground& ground, const Contact& contact) const;
-  /// Takes the present places of the ends.
+  /// Takes the present positions of the ends.
   SpringWork follow(const Ground& ground, const Contact& contact);
 
   /// In a static stage: moves the ends for dt (s) with the velocities after the update.

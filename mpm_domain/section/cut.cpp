@@ -105,7 +105,7 @@ CutPosition Cut::position(std::span<const Particles> sets, double back) const {
     return Vector{set.x[k] - back * set.vx[k], set.y[k] - back * set.vy[k]};
   };
   const double share = 1.0 / static_cast<double>(guides_.size());
-  Vector before; // mean place from the middle of the cut at the start
+  Vector before; // mean position from the middle of the cut at the start
   Vector now;
   for (const Neighbour& guide : guides_) {
     const Vector x = at(guide);

@@ -9,14 +9,14 @@
 //
 // is the force that what lies ahead exerts through the cut, and its moment about the middle of the cut: the
 // section forces as finite elements have them, nodal forces added up on one side (Bathe 1996, section 4.2).
-// As S_i adds up to one and to the place, particles among nodes of equal chi bring nothing, so that those
+// As S_i adds up to one and to the position, particles among nodes of equal chi bring nothing, so that those
 // within some two cells of the cut will do. By the motion of the nodes ahead,
 //
 //     F = sum_i chi_i (external and contact forces - m_i a_i),
 //
 // exactly, however uneven the stress of single particles is; M likewise. As the squares around the nodes
-// tile the plane, the mean place of the cut is where it shall be, whatever its direction. With t from one end
-// of the cut to the other and n to the left of it,
+// tile the plane, the mean position of the cut is where it shall be, whatever its direction. With t from one
+// end of the cut to the other and n to the left of it,
 //
 //     N = F . n,     Q = -F . t,     M = M_c,     dM/dn = -Q,
 //
@@ -47,7 +47,7 @@ struct CutPosition {
 class Cut {
 public:
   /// @param line  where it is at the start
-  /// @param sets  of the body's particles, at their places of the start
+  /// @param sets  of the body's particles, at their positions of the start
   /// @param h     side of the body's cells, m
   /// @throws std::invalid_argument for a line without length, or one that no particles are next to
   Cut(const CutLine& line, std::span<const Particles> sets, double h);

@@ -11,7 +11,7 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// The place of an elastic structure in Ground::bodies.
+/// The index of an elastic structure in Ground::bodies.
 std::size_t body_of(const Section& section, const Spec& spec) {
   const auto found = std::ranges::find(spec.structures, section.structure, &Structure::name);
   if (found == spec.structures.end() || !found->stiffness)

@@ -1,7 +1,7 @@
 #pragma once
 
 // The cuts of a domain through its elastic structures (cut.hpp). They have no state of their own: their
-// forces follow from the particles' places and stresses.
+// forces follow from the particles' positions and stresses.
 
 #include "mpm_domain/section/cut.hpp"
 
@@ -23,7 +23,7 @@ struct BodySection {
 
 class Sections {
 public:
-  /// Particles are at their places of the start.
+  /// Particles are at their positions of the start.
   /// @throws std::invalid_argument for a section through no elastic structure, or a cut that cannot be made
   explicit Sections(const Ground& ground);
 

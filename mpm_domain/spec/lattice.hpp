@@ -11,7 +11,7 @@ struct Lattice {
   double y0 = 0.0;
   int nx = 0;            ///< nodes per row
   int ny = 0;            ///< rows
-  std::size_t first = 0; ///< place of node (0, 0) in the arrays of all nodes
+  std::size_t first = 0; ///< index of node (0, 0) in the arrays of all nodes
 
   std::size_t index(int i, int j) const {
     return first + static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);

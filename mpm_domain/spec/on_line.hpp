@@ -6,7 +6,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Level (m) and slope (1) of a line at a place.
+/// Level (m) and slope (1) of a line at a point.
 struct OnLine {
   double level = 0.0;
   double slope = 0.0;

@@ -102,7 +102,7 @@ inline constexpr std::array<OutputColumn, 3> lining_segment_columns{
 inline constexpr std::array<OutputColumn, 6> section_columns{
     {{"x", "m"}, {"y", "m"}, {"tilt", "rad"}, {"n", "N/m"}, {"q", "N/m"}, {"m", "N"}}};
 
-/// The columns of a prop: its force, tension positive, the distance of its ends, and their places.
+/// The columns of a prop: its force, tension positive, the distance of its ends, and their positions.
 inline constexpr std::array<OutputColumn, 7> prop_columns{{time_column,
                                                            {"n", "N/m"},
                                                            {"length", "m"},

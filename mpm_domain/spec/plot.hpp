@@ -51,7 +51,7 @@ bool cuts(const Polygon& polygon, const mesh::Rectangle& square) {
   return false;
 }
 
-/// Adds the places where a polygon's edges cross a level in a square.
+/// Adds the positions where a polygon's edges cross a level in a square.
 template <typename Polygon>
 void add_crossings(const Polygon& polygon, double level, const mesh::Rectangle& square,
                    std::vector<double>& positions) {

@@ -17,8 +17,8 @@ struct PassTime {
   double seconds = 0.0;
 };
 
-/// Advances a domain in time, by leapfrog: places and stresses are known at time(), velocities of particles
-/// at velocity_time(), half a step before. A step is the list of passes of the recipe (recipe.hpp),
+/// Advances a domain in time, by leapfrog: positions and stresses are known at time(), velocities of
+/// particles at velocity_time(), half a step before. A step is the list of passes of the recipe (recipe.hpp),
 ///
 ///     m_i = sum S m_p,   p_i = sum S m_p (v_p + C_p (x_i - x_p)),   v- = p_i/m_i
 ///     f_i = sum (S m_p g - V_p sigma_p grad S) + sum over faces l W t,   t of Eq. (6)

@@ -16,7 +16,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// Takes the head at the particles' present places.
+/// Takes the head at the particles' present positions.
 void follow_head(Ground& ground);
 
 /// Sums up the force at the nodes, tied nodes folded.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/choices.hpp"
+#include "scene/case.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,6 +25,20 @@ enum class WithinMotion {
   refuses
 };
 
+/// How a model treats soil that yields.
+enum class SoilTreatment {
+  linear,
+  equivalent_linear, ///< with moduli and damping of the strain that an iteration finds
+  by_law             ///< as its constitutive law says
+};
+
+/// What Rayleigh's damping in proportion to mass is relative to.
+enum class RayleighReference {
+  rigid_base, ///< the motion of the column's base
+  outcrop,    ///< the motion of undamped rock, which is known at vertical incidence
+  none        ///< the model has no such damping
+};
+
 /// Properties and inputs of a free-field model.
 struct FreeFieldTraits {
   SourceModel model;
@@ -34,35 +48,60 @@ struct FreeFieldTraits {
   Incidence incidence = Incidence::any;
   WithinMotion within = WithinMotion::refuses;
   bool effective_stress = false; ///< begins with the stress of its weight and knows pore pressure
+  SoilTreatment soil = SoilTreatment::linear;
+  bool laws_of_one_shear = false; ///< takes only laws whose shear stress follows from shear strain alone
+  RayleighReference rayleigh = RayleighReference::none;
+  bool of_domain_cells = false;   ///< its elements are cells of the domain, with the domain's kernel
+  std::string_view elements = ""; ///< the key of their length, if it is marched in time
+  double (*element_size)(const Case& scene) = nullptr; ///< that length, m
+  bool from_outside = false; ///< its motion is recorded or served by others; the case does not say it
 };
 
 inline constexpr std::array free_field_traits = {
     FreeFieldTraits{.model = SourceModel::wave,
                     .program = "tremolo-wave",
                     .computed = true,
-                    .within = WithinMotion::divides},
+                    .within = WithinMotion::divides,
+                    .rayleigh = RayleighReference::outcrop},
     FreeFieldTraits{.model = SourceModel::fe,
                     .program = "tremolo-column",
                     .computed = true,
                     .marched_in_time = true,
                     .incidence = Incidence::below_critical,
                     .within = WithinMotion::moves_base,
-                    .effective_stress = true},
+                    .effective_stress = true,
+                    .soil = SoilTreatment::by_law,
+                    .rayleigh = RayleighReference::rigid_base,
+                    .elements = "fe.element_size",
+                    .element_size = [](const Case& scene) { return scene.fe.element_size; }},
     FreeFieldTraits{.model = SourceModel::ode,
                     .program = "tremolo-column",
                     .computed = true,
                     .marched_in_time = true,
                     .incidence = Incidence::vertical,
-                    .within = WithinMotion::moves_base},
-    FreeFieldTraits{.model = SourceModel::eql, .program = "tremolo-wave", .computed = true},
+                    .within = WithinMotion::moves_base,
+                    .soil = SoilTreatment::by_law,
+                    .laws_of_one_shear = true,
+                    .rayleigh = RayleighReference::rigid_base,
+                    .elements = "ode.cell_size",
+                    .element_size = [](const Case& scene) { return scene.ode.cell_size; }},
+    FreeFieldTraits{.model = SourceModel::eql,
+                    .program = "tremolo-wave",
+                    .computed = true,
+                    .soil = SoilTreatment::equivalent_linear},
     FreeFieldTraits{.model = SourceModel::mpm,
                     .program = "tremolo-domain",
                     .computed = true,
                     .marched_in_time = true,
                     .incidence = Incidence::vertical,
-                    .effective_stress = true},
-    FreeFieldTraits{.model = SourceModel::recording, .program = "tremolo-recording"},
-    FreeFieldTraits{.model = SourceModel::external, .program = ""},
+                    .effective_stress = true,
+                    .soil = SoilTreatment::by_law,
+                    .rayleigh = RayleighReference::rigid_base,
+                    .of_domain_cells = true,
+                    .elements = "mesh.size",
+                    .element_size = [](const Case& scene) { return scene.mesh.size; }},
+    FreeFieldTraits{.model = SourceModel::recording, .program = "tremolo-recording", .from_outside = true},
+    FreeFieldTraits{.model = SourceModel::external, .program = "", .from_outside = true},
     FreeFieldTraits{.model = SourceModel::shaking_table, .program = "tremolo-wave"}};
 
 constexpr const FreeFieldTraits& traits(SourceModel model) {

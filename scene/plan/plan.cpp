@@ -2,6 +2,7 @@
 
 #include "mpm_domain/spec/bytes.hpp"
 #include "scene/plan/boundary/springs.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/output/intervals.hpp"
 #include "scene/plan/output/output_size.hpp"
@@ -271,15 +272,15 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
 } // namespace
 
 std::vector<std::string> linearised_soils(const Case& scene, const SourceProcess& source) {
-  using enum SourceModel;
-  if (source.field.model != wave && source.field.model != eql)
+  if (!in_frequency_domain(source.field.model))
     return {};
+  const bool iterated = traits(source.field.model).soil == SoilTreatment::equivalent_linear;
   const auto& ground = layers(scene, source);
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < scene.soils.size(); ++i) {
     const Soil& soil = scene.soils[i];
-    const bool known = materials::traits(soil.law).response == materials::Response::elastic ||
-                       (source.field.model == eql && soil.curves);
+    const bool known =
+        materials::traits(soil.law).response == materials::Response::elastic || (iterated && soil.curves);
     if (known || std::ranges::find(ground, std::optional(i), &Layer::soil) == ground.end())
       continue;
     auto note = fmt::format("'{}': model \"{}\" takes layers of soil '{}' as linear elastic", source.name,

@@ -16,7 +16,6 @@ namespace tremolo::scene {
 
 namespace {
 
-using enum SourceModel;
 constexpr double degree = std::numbers::pi / 180.0;
 
 /// The material in which a wave is fastest, and its speed.
@@ -77,10 +76,10 @@ std::string refused_pair(const Case& scene, SourceModel model) {
   if (!scene.vertical)
     return {};
   const double angle = scene.vertical->angle_deg;
-  if (model == eql && angle != 0.0)
-    return fmt::format("model = \"eql\" iterates on the shear strain of the SV wave, and the P wave of "
+  if (traits(model).soil == SoilTreatment::equivalent_linear && angle != 0.0)
+    return fmt::format("model = \"{}\" iterates on the shear strain of the SV wave, and the P wave of "
                        "[motion.vertical] shears the ground too at angle_deg = {}: give it angle_deg = 0",
-                       angle);
+                       name(model), angle);
   const double slowness = slowness_x(scene, scene.motion);
   constexpr double same_slowness = 1e-3;
   if (!marched_in_time(model) ||
@@ -111,16 +110,16 @@ std::string refused_kind(const Case& scene, SourceModel model, const std::vector
 
 /// A column of the domain's particles ends where a particle does.
 std::string refused_surface(const Case& scene, SourceModel model, double surface) {
-  if (model != mpm || !(scene.mesh.size > 0.0))
+  if (!traits(model).of_domain_cells || !(scene.mesh.size > 0.0))
     return {};
   const double size = scene.mesh.particle_size();
   const double particles = (surface - scene.mesh.box.y_min) / size;
   if (particles >= 1.0 && std::abs(particles - std::round(particles)) < 1e-6)
     return {};
   return fmt::format(
-      "model = \"mpm\" stacks particles of {} m from the base of the model, y = {}, to the surface, y = "
+      "model = \"{}\" stacks particles of {} m from the base of the model, y = {}, to the surface, y = "
       "{}: their distance must be a multiple of it",
-      size, scene.mesh.box.y_min, surface);
+      name(model), size, scene.mesh.box.y_min, surface);
 }
 
 /// Whether shear stress follows from shear strain alone.
@@ -137,7 +136,7 @@ bool refused_damping(const Case& scene, SourceModel model, const std::vector<Lay
 
 bool takes(const Case& scene, SourceModel model, double surface, const std::vector<Layer>& layers) {
   return refused_wave(scene, model, surface, layers).empty() && refused_soil(scene, model, layers).empty() &&
-         !refused_damping(scene, model, layers) && (model != mpm || scene.mesh.size > 0.0);
+         !refused_damping(scene, model, layers) && (!traits(model).of_domain_cells || scene.mesh.size > 0.0);
 }
 
 /// "wave", "fe" or "eql"
@@ -179,15 +178,17 @@ std::string refused_wave(const Case& scene, SourceModel model, double surface,
 }
 
 std::string refused_soil(const Case& scene, SourceModel model, const std::vector<Layer>& layers) {
+  if (!traits(model).laws_of_one_shear)
+    return {};
   for (const Layer& layer : layers) {
     if (!layer.soil)
       continue;
     const Soil& soil = scene.soils[*layer.soil];
-    if (model == ode && materials::traits(soil.law).remembers_initial_stress)
+    if (materials::traits(soil.law).remembers_initial_stress)
       return fmt::format("model = \"{}\" gives its soil no memory of the geostatic stress, with which {} "
                          "(soil '{}') begins",
                          name(model), materials::name(soil.law), soil.name);
-    if (model == ode && !in_one_shear(soil.column_law))
+    if (!in_one_shear(soil.column_law))
       return fmt::format("model = \"{}\" takes linear and hysteretic soil, but soil '{}' is {}", name(model),
                          soil.name, materials::name(soil.law));
   }

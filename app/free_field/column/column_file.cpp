@@ -3,7 +3,7 @@
 #include "app/free_field/column/column_levels.hpp"
 #include "app/free_field/column/column_warnings.hpp"
 #include "app/free_field/column_report.hpp"
-#include "app/free_field/free_field_series.hpp"
+#include "app/free_field/series/free_field_series.hpp"
 #include "app/free_field/water_tables.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "app/free_field/column/column_ground.hpp"
 
+#include "app/free_field/series/computed_field.hpp"
 #include "freefield/process/column_from_case.hpp"
-#include "mpm_domain/process/column_from_case.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/service.hpp"
 #include "scene/plan/wave/motion.hpp"
@@ -72,40 +72,13 @@ wavefield::TimeGrid column_times(const ColumnGround& ground, std::optional<doubl
   return {start, dt, static_cast<std::size_t>(steps) + 1};
 }
 
-namespace {
-
-/// Samples the surface at two times, which shows whether the ground lets go of the wave.
-/// @param displacement  whether its displacement must stay finite too
-template <class Field>
-void sample_surface(const Field& field, wavefield::Point surface, double from, double to, bool displacement) {
-  field.sample(std::array{surface}, {from, to - from, 2}, wavefield::Part::total,
-               {.displacement = displacement, .stress = false, .strain = false});
-}
-
-} // namespace
-
 std::string start_column(const ColumnGround& ground) {
   const auto& [scene, source, x] = ground;
   const wavefield::TimeGrid times = column_times(ground);
-  const double end = times.start + times.dt * static_cast<double>(times.count - 1);
-  const wavefield::Point surface{x, source.surface};
-  const auto of_steps = [](const freefield::Column& column) {
-    return fmt::format("steps of {:.3g} s", column.time_step());
-  };
-  switch (source.field.model) {
-  case scene::SourceModel::eql: {
-    const auto result = wavefield::equivalent_linear_from_case(scene, source);
-    sample_surface(wavefield::field_from_case(scene, source, result), surface, times.start, end, true);
-    return wavefield::summary(result);
-  }
-  case scene::SourceModel::wave:
-    sample_surface(wavefield::field_from_case(scene, source), surface, times.start, end, true);
-    return "plane waves";
-  case scene::SourceModel::mpm:
-    return of_steps(*mpm_domain::column_from_case(scene, source, x, times.start));
-  default:
-    return of_steps(*freefield::column_from_case(scene, source, x, times.start));
-  }
+  const auto field = computed_field(scene, source, x, times.start);
+  field->try_surface(source.surface, times.start,
+                     times.start + times.dt * static_cast<double>(times.count - 1));
+  return field->description();
 }
 
 namespace {
@@ -116,8 +89,9 @@ void start_waves(const scene::Case& scene, const scene::SourceProcess& source) {
     return;
   const wavefield::Superposition field = wavefield::field_from_case(scene, source);
   for (const wavefield::LayeredField& wave : field.waves()) {
-    const scene::Service service = scene::service(scene, source, wave.slowness_x());
-    sample_surface(wave, {service.x_line, source.surface}, service.start_time, service.end_time, false);
+    const auto [lines, x, start, end] = scene::service(scene, source, wave.slowness_x());
+    wave.sample(std::array{wavefield::Point{x, source.surface}}, {start, end - start, 2},
+                wavefield::Part::total, {.displacement = false, .stress = false, .strain = false});
   }
 }
 

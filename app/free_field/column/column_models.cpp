@@ -2,6 +2,7 @@
 
 #include "base/text/text_file.hpp"
 #include "motion/record.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/text/errors.hpp"
 
 #include <fmt/format.h>
@@ -20,14 +21,15 @@ std::string file_name(scene::SourceModel model) {
 
 /// A text on a model's treatment of soil that yields.
 std::string_view soil_of(scene::SourceModel model) {
-  switch (model) {
-  case scene::SourceModel::wave:
+  switch (scene::traits(model).soil) {
+  case scene::SoilTreatment::linear:
     return "linear";
-  case scene::SourceModel::eql:
+  case scene::SoilTreatment::equivalent_linear:
     return "equivalent linear";
-  default:
+  case scene::SoilTreatment::by_law:
     return "as its law says";
   }
+  return {};
 }
 
 std::string json_of(const std::string& title, const std::vector<ModelOfSite>& models) {

@@ -50,10 +50,11 @@ bool follows_strain(const scene::Case& scene, const std::vector<scene::Layer>& l
 
 void add_strain(const ColumnGround& ground, const FreeFieldSeries& series,
                 std::vector<std::string>& warnings) {
-  const bool iterated = ground.source.field.model == scene::SourceModel::eql;
+  const scene::FreeFieldTraits& model = scene::traits(ground.source.field.model);
+  const bool iterated = model.soil == scene::SoilTreatment::equivalent_linear;
   const std::size_t level = peak_level(series, &ColumnSample::gxy);
   const double strain = peak(series.at(level), &ColumnSample::gxy);
-  if (scene::marched_in_time(ground.source.field.model) ||
+  if (model.soil == scene::SoilTreatment::by_law ||
       !follows_strain(ground.scene, scene::layers(ground.scene, ground.source)) ||
       strain <= (iterated ? largest_of_equivalent_linear : largest_of_linear))
     return;
@@ -71,14 +72,11 @@ void add_strain(const ColumnGround& ground, const FreeFieldSeries& series,
 
 void add_frequency(const ColumnGround& ground, const FreeFieldSeries& series,
                    std::vector<std::string>& warnings) {
-  const auto model = ground.source.field.model;
-  if (!scene::marched_in_time(model))
+  const scene::FreeFieldTraits& model = scene::traits(ground.source.field.model);
+  if (!model.marched_in_time)
     return;
-  const bool cells = model == scene::SourceModel::mpm;
-  const double size = cells                              ? ground.scene.mesh.size
-                      : model == scene::SourceModel::ode ? ground.scene.ode.cell_size
-                                                         : ground.scene.fe.element_size;
-  const double per_wavelength = cells ? scene::cells_per_wavelength : elements_per_wavelength;
+  const double size = model.element_size(ground.scene);
+  const double per_wavelength = model.of_domain_cells ? scene::cells_per_wavelength : elements_per_wavelength;
   const auto carried = carried_frequency(ground, series, size, per_wavelength);
   std::vector<double> base;
   for (const ColumnSample& sample : series.at(0))

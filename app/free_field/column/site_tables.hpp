@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/free_field/column/column_ground.hpp"
-#include "app/free_field/free_field_series.hpp"
+#include "app/free_field/series/free_field_series.hpp"
 #include "results/run_file.hpp"
 
 #include <vector>

@@ -48,7 +48,7 @@ double ground_density(const Ground& ground, const BoundaryFace& face) {
   return materials::elasticity(ground.sets[face.set].law).density;
 }
 
-/// Elastic constants per area of the boundary between two places, in the soil's present stress.
+/// Elastic constants per area of the boundary between two positions, in the soil's present stress.
 LayerColumn column_between(const Ground& ground, std::span<const BoundaryFace> faces, Reach span) {
   LayerColumn column{.width = span.to - span.from};
   for (const BoundaryFace& face : faces) {

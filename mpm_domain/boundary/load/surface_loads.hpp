@@ -1,7 +1,7 @@
 #pragma once
 
 // Loads on the surface of the soil: a pressure p along its inward normal and a shear s along it, towards +x.
-// They act on the uppermost particles between two places and go with them. A line through the middles of
+// They act on the uppermost particles between two positions and go with them. A line through the middles of
 // their upper edges, cut at J half way between two of them (in proportion to their widths), gives each
 // particle a chord
 //

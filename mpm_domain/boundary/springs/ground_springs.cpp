@@ -27,7 +27,7 @@ GroundSprings::GroundSprings(const Ground& ground, std::span<BoundaryFace> faces
     if (of_side == spec.springs.end() || !face.behind.has_dashpots)
       continue;
     const auto& [side, across, along, centre, lags, own_field] = *of_side;
-    // With periodic sides the loads repeat as well, so that no place along the base is nearer to them than
+    // With periodic sides the loads repeat as well, so that no point along the base is nearer to them than
     // another.
     const double beside = spec.sides == Sides::free_field ? face.position.x - centre.x : 0.0;
     const double distance =

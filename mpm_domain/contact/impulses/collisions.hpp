@@ -17,7 +17,7 @@ namespace tremolo::mpm_domain {
 
 /// A corner of a body next to another body.
 struct CornerContact {
-  std::size_t a = 0; ///< places of the two bodies
+  std::size_t a = 0; ///< indices of the two bodies
   std::size_t b = 0;
   Vector arm_a, arm_b; ///< of the point from the centres of mass, m
   Vector normal;       ///< from a to b

@@ -1,6 +1,6 @@
 #pragma once
 
-// A symmetric, positive definite matrix whose entries lie within w places of the diagonal, and its Cholesky
+// A symmetric, positive definite matrix whose entries lie within w entries of the diagonal, and its Cholesky
 // factors,
 //
 //     A = L D L^T,     D_j = A_jj - sum_k L_jk^2 D_k,     L_ij = (A_ij - sum_k L_ik D_k L_jk)/D_j,

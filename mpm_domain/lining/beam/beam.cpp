@@ -66,10 +66,10 @@ Beam::Beam(const BeamShape& shape, const BeamSection& section)
       masses_[elements_.back().dofs[i]] += 0.5 * length * (i % 3 == 2 ? section.rotary : section.mass);
   }
   now_.resize(elements_.size());
-  follow_places();
+  follow_positions();
 }
 
-void Beam::follow_places() {
+void Beam::follow_positions() {
   for (std::size_t e = 0; e < elements_.size(); ++e)
     now_[e] = position_of(elements_[e], q_);
 }
@@ -150,7 +150,7 @@ void Beam::set_velocities(std::span<const double> v) {
 void Beam::move(double dt) {
   for (std::size_t i = 0; i < q_.size(); ++i)
     q_[i] += dt * v_[i];
-  follow_places();
+  follow_positions();
 }
 
 void Beam::strain_in_place(double dt) {
@@ -160,7 +160,7 @@ void Beam::strain_in_place(double dt) {
       for (std::size_t j = 0; j < 6; ++j)
         elements_[e].strain_before[i] += dt * b[i][j] * v_[elements_[e].dofs[j]];
   }
-  follow_places();
+  follow_positions();
 }
 
 std::vector<double> Beam::state() const {
@@ -183,7 +183,7 @@ void Beam::set_state(std::span<const double> state) {
   for (BeamElement& element : elements_)
     for (double& strain : element.strain_before)
       strain = *from++;
-  follow_places();
+  follow_positions();
 }
 
 } // namespace tremolo::mpm_domain

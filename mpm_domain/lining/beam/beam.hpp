@@ -6,7 +6,7 @@
 // are taken alternately from both sides of the first, which keeps neighbours near each other
 // (band_matrix.hpp).
 //
-// Places q and velocities v belong to the times that places and velocities of particles belong to.
+// Positions q and velocities v belong to the times that places and velocities of particles belong to.
 
 #include "mpm_domain/lining/beam/band_matrix.hpp"
 #include "mpm_domain/lining/beam/element.hpp"
@@ -50,7 +50,7 @@ public:
   SectionForces forces(std::size_t element) const;
   /// f(q), what the elements take of the nodes: M dv/dt = -f.
   std::vector<double> internal_forces() const;
-  /// Adds a multiple of K = B^T D B at the present place; its band is that of stiffness_band().
+  /// Adds a multiple of K = B^T D B at the present position; its band is that of stiffness_band().
   void add_stiffness(double factor, BandMatrix& to) const;
   /// A matrix of zeros that holds M and K.
   BandMatrix empty_matrix() const;
@@ -68,7 +68,7 @@ public:
 
 private:
   /// Finds where the elements are.
-  void follow_places();
+  void follow_positions();
 
   BeamSection section_;
   std::vector<std::size_t> first_dof_; ///< by node

@@ -1,6 +1,6 @@
 #pragma once
 
-// A step of a beam by backward Euler: forces act for a time s (the kick), places then move for dt,
+// A step of a beam by backward Euler: forces act for a time s (the kick), positions then move for dt,
 //
 //     A v+ = M v- - s (f(q) - f_ext),     A = M + s dt K,     q+ = q + dt v+,
 //

@@ -18,7 +18,7 @@ namespace tremolo::mpm_domain {
 
 struct Ground;
 
-/// p_0 at a place, Pa; without water, and above its surface, zero.
+/// p_0 at a point, Pa; without water, and above its surface, zero.
 double rest_pressure(const Ground& ground, const Vector& at);
 
 /// Adds the forces on the degrees of freedom of a beam, N/m and N.

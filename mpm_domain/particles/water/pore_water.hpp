@@ -13,7 +13,7 @@
 //
 //     p = max(p*, p_cav).
 //
-// Forces see the excess over the pressure of the undisturbed water at the particle's present place
+// Forces see the excess over the pressure of the undisturbed water at the particle's present position
 // (rest_pressure.hpp),
 //
 //     p_e = p - gamma (h - y),      gamma = rho_f g,

@@ -1,6 +1,6 @@
 #pragma once
 
-// The pressure of the undisturbed water at the present places of particles,
+// The pressure of the undisturbed water at the present positions of particles,
 //
 //     p_0 = gamma (h - y),
 //
@@ -33,7 +33,7 @@ inline double excess_pressure(const Particles& p, std::size_t k) {
   return p.water->pressure(p.pore_pressure[k]) - rest_pressure(p, k);
 }
 
-/// Takes the head at the present places of particles [begin, end) of a set with trait seeping.
+/// Takes the head at the present positions of particles [begin, end) of a set with trait seeping.
 void follow_head(Particles& p, std::size_t begin, std::size_t end, const Head& head);
 
 /// Gives the particles of a set under water the head, and the pressure that goes with it.

@@ -86,8 +86,8 @@ FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<s
 
 void FollowedPoint::find_neighbours(const Particles& set) {
   const std::size_t own = set.index_of[id_];
-  // The eight around it on an even grid of particles, whose distance is twice half_size. Places are those of
-  // now, before anything is shaken: x_initial already has the settlement under loads, but not in a resumed
+  // The eight around it on an even grid of particles, whose distance is twice half_size. Positions are those
+  // of now, before anything is shaken: x_initial already has the settlement under loads, but not in a resumed
   // run.
   const double reach = 1.6 * 2.0 * set.half_size;
   for (std::size_t k = 0; k < set.size(); ++k) {

@@ -17,7 +17,7 @@ namespace tremolo::mpm_domain {
 /// State of the pore water at a particle; zero where there is none.
 struct WaterState {
   double pressure = 0.0; ///< Pa
-  double excess = 0.0;   ///< over the hydrostatic one of the present place, Pa
+  double excess = 0.0;   ///< over the hydrostatic one of the present position, Pa
   double ratio = 0.0;    ///< excess over the vertical effective stress before the shaking
   Vector flux;           ///< Darcy velocity, m/s
 };
@@ -44,7 +44,7 @@ ParticleMotion motion_in_space(const Snapshot& snapshot, ParticleName particle, 
 
 /// A particle of soil, or of an elastic structure, whose motion, stress and strain are written as histories.
 ///
-/// The strain is that of the displacements u since the start over the places X at the start,
+/// The strain is that of the displacements u since the start over the positions X at the start,
 ///
 ///     G = sum (u_n - u) (X_n - X)^T [sum (X_n - X) (X_n - X)^T]^-1,    eps = (G + G^T) / 2,
 ///
@@ -60,9 +60,9 @@ public:
   /// Names and units of what values() gives.
   static std::vector<OutputColumn> columns(const scene::Case& scene);
 
-  /// Appends place, displacement, velocity, acceleration, effective stress, strain and, in a case with water,
-  /// pore pressure and its ratio, as columns() names them. Strain is NaN where the soil has too few particles
-  /// around the point.
+  /// Appends position, displacement, velocity, acceleration, effective stress, strain and, in a case with
+  /// water, pore pressure and its ratio, as columns() names them. Strain is NaN where the soil has too few
+  /// particles around the point.
   void append_values(const Snapshot& snapshot, const Stepper& stepper, bool water,
                      std::vector<double>& row) const;
 

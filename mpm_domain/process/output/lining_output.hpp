@@ -11,9 +11,9 @@
 namespace tremolo::mpm_domain {
 
 /// The part of a run's file about linings: a series each, with a row in each row of the histories. A row
-/// holds places of the nodes of the axis, section forces in the middle of each element, and what soil presses
-/// and shears on each segment of the outer face. Places belong to the time of the velocities, half a step
-/// before the section forces, as particles and their stresses do (run_output.hpp).
+/// holds positions of the nodes of the axis, section forces in the middle of each element, and what soil
+/// presses and shears on each segment of the outer face. Positions belong to the time of the velocities, half
+/// a step before the section forces, as particles and their stresses do (run_output.hpp).
 class LiningOutput {
 public:
   /// Adds the series to the file.

@@ -11,7 +11,7 @@
 namespace tremolo::mpm_domain {
 
 /// The part of a run's file about props: a series a prop, with a row in each row of the histories. Force and
-/// places lie half a step after the time of the row, as stresses do (run_output.hpp).
+/// positions lie half a step after the time of the row, as stresses do (run_output.hpp).
 class PropOutput {
 public:
   /// Adds the series to the file.

@@ -184,7 +184,7 @@ void RunOutput::write_history(const Stepper& stepper) {
 }
 
 void RunOutput::write_frame(const Stepper& stepper, double time, const ContactFrame& contact) {
-  const SoilFrame soil(domain_, snapshot_, stepper, scene_.water.has_value());
+  const SoilFrame soil(domain_, snapshot_, stepper, scene_);
   const StructureFrame structures(domain_, snapshot_, stepper);
   last_frame_ = time;
   bodies_.write_outlines(stepper);
@@ -192,7 +192,7 @@ void RunOutput::write_frame(const Stepper& stepper, double time, const ContactFr
       bodies_.any() ? contact.fields() : std::vector<results::Field>{};
   const std::vector<results::Field> of_structures = structures.fields(scene_);
   writer_.write_frame(
-      last_frame_, soil.fields(scene_),
+      last_frame_, soil.fields(),
       std::vector<results::FramePart>{{"contact", of_contact}, {"structures", of_structures}});
 }
 

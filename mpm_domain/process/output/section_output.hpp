@@ -12,8 +12,8 @@
 namespace tremolo::mpm_domain {
 
 /// The part of a run's file about cuts through elastic structures: a series a section, with a row in each row
-/// of the histories. Places belong to the time of the velocities, half a step before the forces, as particles
-/// and their stresses do (run_output.hpp).
+/// of the histories. Positions belong to the time of the velocities, half a step before the forces, as
+/// particles and their stresses do (run_output.hpp).
 class SectionOutput {
 public:
   /// Adds the series to the file.

@@ -24,8 +24,8 @@ scene::Box bounds(const scene::Polygon& polygon) {
   return {left.x, low.y, right.x, high.y};
 }
 
-/// The places of the particles of a set that began within an outline, in the order of ids: sums over them do
-/// not depend on how particles are sorted.
+/// The positions of the particles of a set that began within an outline, in the order of ids: sums over them
+/// do not depend on how particles are sorted.
 std::vector<std::uint32_t> members(const scene::Polygon& outline, const Particles& set) {
   const scene::Box box = bounds(outline);
   std::vector<std::uint32_t> members;

@@ -17,7 +17,7 @@ namespace tremolo::mpm_domain {
 ///
 ///     a(t) = sum m_p a_p / sum m_p,
 ///
-/// likewise velocity, displacement and place. a_x is the horizontal equivalent acceleration, for
+/// likewise velocity, displacement and position. a_x is the horizontal equivalent acceleration, for
 /// the force that the ground around it exerts on the mass is m a (Seed & Martin 1966, J. Soil Mech. Found.
 /// Div. ASCE 92(SM3), 25-58).
 class SlidingMassOutput {

@@ -24,7 +24,7 @@ Point between(Point a, Point b, double share) {
 
 struct OnEdge {
   std::size_t edge = 0;
-  Point place;
+  Point position;
 };
 
 OnEdge nearest_edge(const Polygon& polygon, Point to) {
@@ -38,10 +38,10 @@ OnEdge nearest_edge(const Polygon& polygon, Point to) {
     const double share =
         length2 > 0.0 ? std::clamp(((to.x - a.x) * along.x + (to.y - a.y) * along.y) / length2, 0.0, 1.0)
                       : 0.0;
-    const Point place = between(a, b, share);
-    if (const double d = distance(place, to); d < least) {
+    const Point position = between(a, b, share);
+    if (const double d = distance(position, to); d < least) {
       least = d;
-      nearest = {e, place};
+      nearest = {e, position};
     }
   }
   return nearest;
@@ -49,22 +49,22 @@ OnEdge nearest_edge(const Polygon& polygon, Point to) {
 
 /// A corner that stays, and whether it is a hinge.
 struct Mark {
-  Point place;
+  Point position;
   bool hinge = false;
 };
 
-/// Makes a hinge of the corner beside a place of the outline, or adds a corner there.
+/// Makes a hinge of the corner beside a position of the outline, or adds a corner there.
 void add_hinge(std::vector<Mark>& marks, Point at, double element) {
   Polygon corners;
   for (const Mark& mark : marks)
-    corners.push_back(mark.place);
+    corners.push_back(mark.position);
   const OnEdge on = nearest_edge(corners, at);
   for (const std::size_t end : {on.edge, (on.edge + 1) % marks.size()})
-    if (distance(marks[end].place, on.place) < near * element) {
+    if (distance(marks[end].position, on.position) < near * element) {
       marks[end].hinge = true;
       return;
     }
-  marks.insert(marks.begin() + static_cast<std::ptrdiff_t>(on.edge) + 1, Mark{on.place, true});
+  marks.insert(marks.begin() + static_cast<std::ptrdiff_t>(on.edge) + 1, Mark{on.position, true});
 }
 
 } // namespace
@@ -81,8 +81,8 @@ BeamOutline beam_outline(const Lining& lining, double cell_size) {
     add_hinge(marks, hinge, longest);
   BeamOutline beam;
   for (std::size_t m = 0; m < marks.size(); ++m) {
-    const Point a = marks[m].place;
-    const Point b = marks[(m + 1) % marks.size()].place;
+    const Point a = marks[m].position;
+    const Point b = marks[(m + 1) % marks.size()].position;
     if (marks[m].hinge)
       beam.hinges.push_back(beam.corners.size());
     constexpr double rounding = 1e-6;
@@ -94,7 +94,7 @@ BeamOutline beam_outline(const Lining& lining, double cell_size) {
 }
 
 Point nearest_on(const Polygon& polygon, Point to) {
-  return nearest_edge(polygon, to).place;
+  return nearest_edge(polygon, to).position;
 }
 
 } // namespace tremolo::scene

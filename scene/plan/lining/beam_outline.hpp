@@ -20,7 +20,7 @@ struct BeamOutline {
 /// @param cell_size  of the cells that it meets soil on, m
 BeamOutline beam_outline(const Lining& lining, double cell_size);
 
-/// The place on a polygon's edges that is next to a point.
+/// The point on a polygon's edges that is next to a point.
 Point nearest_on(const Polygon& polygon, Point to);
 
 } // namespace tremolo::scene

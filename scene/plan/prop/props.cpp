@@ -11,21 +11,23 @@ namespace tremolo::scene {
 
 namespace {
 
-/// Mass, first and second moments of particles about a place.
+/// Mass, first and second moments of particles about a position.
 struct Moments {
   double mass = 0.0;                   ///< kg/m
   double x = 0.0, y = 0.0;             ///< kg
   double xx = 0.0, xy = 0.0, yy = 0.0; ///< kg m
 };
 
-/// 1/m = (1 + d^T J^-1 d)/M of the particles of a lattice within a cell and a particle's side of a place, d
-/// from their centroid to it and J their second moments about the centroid over M.
+/// 1/m = (1 + d^T J^-1 d)/M of the particles of a lattice within a cell and a particle's side of a position,
+/// d from their centroid to it and J their second moments about the centroid over M.
 template <class DensityAt>
 double mobility_of_particles(const Case& scene, const Point& at, const DensityAt& density_at) {
   const double h = contact_cell_size(scene);
   const double size = h / scene.mesh.particles_per_cell;
   const double reach = h + size;
-  const auto first = [&](double place, double origin) { return std::floor((place - reach - origin) / size); };
+  const auto first = [&](double position, double origin) {
+    return std::floor((position - reach - origin) / size);
+  };
   const auto count = static_cast<int>(std::ceil(2.0 * reach / size)) + 1;
   Moments sum;
   for (int j = 0; j < count; ++j)
@@ -71,7 +73,8 @@ double density_of_soil(const Case& scene, const Point& p) {
 double mobility(const Case& scene, const Prop::End& end) {
   const auto found = std::ranges::find(scene.structures, end.structure, &Structure::name);
   if (found == scene.structures.end())
-    return mobility_of_particles(scene, end.position, [&](const Point& p) { return density_of_soil(scene, p); });
+    return mobility_of_particles(scene, end.position,
+                                 [&](const Point& p) { return density_of_soil(scene, p); });
   if (found->stiffness)
     return mobility_of_particles(scene, end.position, [&](const Point& p) { return density_in(*found, p); });
   const double solid = area(found->outline.corners) - (found->hole ? area(found->hole->corners) : 0.0);
@@ -84,8 +87,8 @@ double length_of(const Prop& prop) {
 
 std::string end_text(const Prop::End& end) {
   return fmt::format("{} at ({:g}, {:g})",
-                     end.structure.empty() ? "the ground" : fmt::format("'{}'", end.structure), end.position.x,
-                     end.position.y);
+                     end.structure.empty() ? "the ground" : fmt::format("'{}'", end.structure),
+                     end.position.x, end.position.y);
 }
 
 std::string bears_text(const Prop& prop) {

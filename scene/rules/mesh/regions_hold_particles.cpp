@@ -1,5 +1,5 @@
 #include "scene/plan/levels.hpp"
-#include "scene/rules/particle_places.hpp"
+#include "scene/rules/particle_positions.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -19,9 +19,9 @@ void regions_hold_particles(const Case& scene, Findings& findings) {
       continue;
     const auto [left, right] = std::ranges::minmax(polygon, {}, &Point::x);
     const auto [low, high] = std::ranges::minmax(polygon, {}, &Point::y);
-    if (!find_particle_place(
+    if (!find_particle_position(
             scene, tree, {left.x, low.y, right.x, high.y},
-            [&polygon](const ParticlePlace& place) { return contains(polygon, place.middle); }))
+            [&polygon](const ParticlePosition& place) { return contains(polygon, place.middle); }))
       findings.add(
           path, fmt::format("'polygon' holds no particle, so its soil would not be there: particles lie in "
                             "the middle of squares of {} m, or less where the mesh is refined; take smaller "

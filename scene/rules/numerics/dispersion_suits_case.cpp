@@ -1,9 +1,11 @@
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/domain_soils.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace tremolo::scene {
@@ -20,10 +22,10 @@ const Soil* unsuited_soil(const Case& scene) {
   return nullptr;
 }
 
-bool has_mpm_column(const Case& scene) {
+bool has_column_of_cells(const Case& scene) {
   const auto& [sides, left, right, base] = scene.boundary;
-  return left.field.model == SourceModel::mpm || right.field.model == SourceModel::mpm ||
-         base.field.model == SourceModel::mpm;
+  return std::ranges::any_of(std::array{left.field.model, right.field.model, base.field.model},
+                             [](SourceModel model) { return traits(model).of_domain_cells; });
 }
 
 } // namespace
@@ -34,7 +36,7 @@ void dispersion_suits_case(const Case& scene, Findings& findings) {
   const auto refuse = [&](std::string_view why) {
     findings.add("mesh.dispersion", fmt::format("'dispersion' = \"reduced\" {}", why));
   };
-  if (has_mpm_column(scene))
+  if (has_column_of_cells(scene))
     refuse("needs a free field other than \"mpm\", whose levels read their velocities as means over nodes");
   if (findings.sound("soil"))
     if (const Soil* soil = unsuited_soil(scene))

@@ -1,5 +1,5 @@
 #include "scene/plan/levels.hpp"
-#include "scene/rules/particle_places.hpp"
+#include "scene/rules/particle_positions.hpp"
 #include "scene/rules/rules.hpp"
 
 #include <fmt/format.h>
@@ -23,17 +23,17 @@ Nearest nearest_particle(const Case& scene, const mesh::Quadtree& tree, Point po
   const double all = std::hypot(box.x_max - box.x_min, box.y_max - box.y_min);
   Nearest best;
   for (double reach = scene.mesh.size; best.distance > 0.5 * reach && reach < 4.0 * all; reach *= 2.0)
-    find_particle_place(scene, tree, {point.x - reach, point.y - reach, point.x + reach, point.y + reach},
-                        [&](const ParticlePlace& place) {
-                          const Point at = place.particle;
-                          const double distance = std::hypot(at.x - point.x, at.y - point.y);
-                          if (distance < best.distance &&
-                              std::ranges::any_of(scene.regions, [&](const Region& r) {
-                                return contains(r.polygon, place.middle);
-                              }))
-                            best = {at, distance};
-                          return false; // look at all
-                        });
+    find_particle_position(scene, tree, {point.x - reach, point.y - reach, point.x + reach, point.y + reach},
+                           [&](const ParticlePosition& place) {
+                             const Point at = place.particle;
+                             const double distance = std::hypot(at.x - point.x, at.y - point.y);
+                             if (distance < best.distance &&
+                                 std::ranges::any_of(scene.regions, [&](const Region& r) {
+                                   return contains(r.polygon, place.middle);
+                                 }))
+                               best = {at, distance};
+                             return false; // look at all
+                           });
   return best;
 }
 

@@ -1,5 +1,5 @@
 #include "scene/plan/levels.hpp"
-#include "scene/rules/particle_places.hpp"
+#include "scene/rules/particle_positions.hpp"
 #include "scene/rules/result_names.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/rules/run/places_in_soil.hpp"
@@ -16,9 +16,10 @@ namespace {
 bool holds_soil(const Case& scene, const mesh::Quadtree& tree, const Polygon& polygon) {
   const auto [left, right] = std::ranges::minmax(polygon, {}, &Point::x);
   const auto [low, high] = std::ranges::minmax(polygon, {}, &Point::y);
-  return find_particle_place(scene, tree, {left.x, low.y, right.x, high.y}, [&](const ParticlePlace& place) {
-    return contains(polygon, place.particle) && in_soil(scene, place.middle);
-  });
+  return find_particle_position(scene, tree, {left.x, low.y, right.x, high.y},
+                                [&](const ParticlePosition& place) {
+                                  return contains(polygon, place.particle) && in_soil(scene, place.middle);
+                                });
 }
 
 } // namespace

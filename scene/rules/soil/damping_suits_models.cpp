@@ -43,12 +43,19 @@ void ratios_have_model(const Case& scene, Findings& findings) {
 
 /// `wave` knows its part in proportion to mass at vertical incidence, relative to the outcrop.
 void rayleigh_suits_models(const Case& scene, std::span<const SourceModel> sources, Findings& findings) {
-  const auto has = [&](SourceModel model) { return std::ranges::find(sources, model) != sources.end(); };
-  if (has(SourceModel::eql))
-    findings.add("damping.model", "model = \"rayleigh\" is for columns and \"wave\"; model \"eql\" knows "
-                                  "\"constant\", \"kelvin_voigt\", \"hysteretic\", \"shake\" and "
-                                  "\"kjartansson\"");
-  if (!has(SourceModel::wave))
+  bool to_outcrop = false;
+  for (const SourceModel model : computed_models()) {
+    if (std::ranges::find(sources, model) == sources.end())
+      continue;
+    to_outcrop = to_outcrop || traits(model).rayleigh == RayleighReference::outcrop;
+    if (traits(model).rayleigh == RayleighReference::none)
+      findings.add("damping.model",
+                   fmt::format("model = \"rayleigh\" is for columns and \"wave\"; model \"{}\" knows "
+                               "\"constant\", \"kelvin_voigt\", \"hysteretic\", \"shake\" and "
+                               "\"kjartansson\"",
+                               name(model)));
+  }
+  if (!to_outcrop)
     return;
   if (scene.halfspace_damping > 0.0)
     findings.add("damping.model", "model = \"rayleigh\" is relative to the motion of undamped rock: remove "

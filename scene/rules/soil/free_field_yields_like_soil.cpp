@@ -1,4 +1,5 @@
 #include "mesh/cell_size.hpp"
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/plan/wave/arrival.hpp"
 #include "scene/rules/rules.hpp"
@@ -21,10 +22,11 @@ bool is_linear(const materials::Law& law) {
 /// Whether the side's field is that of linear soil. The ground behind a recording or a user's program is
 /// unknown.
 bool is_linear(const Case& scene, const LateralBoundary& side) {
-  using enum SourceModel;
-  if (side.field.model == recording || side.field.model == external)
+  const FreeFieldTraits& model = traits(side.field.model);
+  if (model.from_outside)
     return false;
-  return side.field.model == wave || std::ranges::none_of(layers(scene, side), [&](const Layer& layer) {
+  return model.soil == SoilTreatment::linear ||
+         std::ranges::none_of(layers(scene, side), [&](const Layer& layer) {
            return layer.soil && !is_linear(scene.soils[*layer.soil].law);
          });
 }

@@ -1,3 +1,4 @@
+#include "scene/plan/free_field_traits.hpp"
 #include "scene/plan/layers.hpp"
 #include "scene/rules/rules.hpp"
 #include "scene/soils/domain_soils.hpp"
@@ -16,7 +17,7 @@ void particles_take_all_damping(const Case& scene, Findings& findings) {
   const auto& [sides, left, right, base] = scene.boundary;
   const bool domain = domain_is_damped(scene);
   const bool column = std::ranges::any_of(std::array{left, right}, [&](const LateralBoundary& side) {
-    return side.field.model == SourceModel::mpm && damped(layers(scene, side));
+    return traits(side.field.model).of_domain_cells && damped(layers(scene, side));
   });
   if (!domain && !column)
     return;

@@ -34,7 +34,7 @@ void look_for_other_fields(const Case& scene, const TimedStage& fastest, Finding
   for (const auto& [key, model] :
        {std::pair{"boundary.left", left.field.model}, std::pair{"boundary.right", right.field.model},
         std::pair{"boundary.base", base.field.model}})
-    if (!traits(model).computed && model != SourceModel::shaking_table)
+    if (traits(model).from_outside)
       findings.add(key, fmt::format("the free field must have the same rest, at {:g} s, with the same "
                                     "'time_factor' = {:g}, which cannot be checked here",
                                     fastest.start, fastest.rest->time_factor));

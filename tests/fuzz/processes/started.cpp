@@ -1,6 +1,6 @@
 #include "started.hpp"
 
-#include "app/free_field/free_field_series.hpp"
+#include "app/free_field/series/free_field_series.hpp"
 #include "freefield/process/column_from_case.hpp"
 #include "freefield/process/incident_field.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"

@@ -28,7 +28,7 @@ Spec heap() {
   return spec;
 }
 
-/// Particles beside their places, with random velocities (m/s) and stresses (Pa).
+/// Particles beside their positions, with random velocities (m/s) and stresses (Pa).
 void shake(Domain& domain) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> position(-0.1, 0.1);

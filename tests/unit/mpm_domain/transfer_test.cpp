@@ -44,7 +44,7 @@ Domain shuffled_box(Transfer transfer, ParticleBoxes boxes = ParticleBoxes::fixe
   return Domain(spec);
 }
 
-/// Particles at random places with random velocities and, where they follow the soil, boxes of any size.
+/// Particles at random positions with random velocities and, where they follow the soil, boxes of any size.
 void shuffle(Domain& domain) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> position(-0.2, 0.2);
@@ -281,7 +281,7 @@ TEST(Transfer, RigidRotationCausesNoStress) {
   }
   scatter(domain, ScatterPart::both);
   find_unforced_velocities(domain);
-  const Particles before = p; // at the places of whose weights B is taken
+  const Particles before = p; // at the positions of whose weights B is taken
   gather(domain, dt, {.velocity = true, .position = true, .strain = true});
   const double stress = 2.0 * materials::elasticity(p.law).p_modulus() * std::pow(theta, 4) / 4.0; // Pa
   for (std::size_t k = 0; k < p.size(); ++k) {

@@ -2,12 +2,10 @@
 
 #include "mpm_domain/process/output/followed_point.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <map>
-#include <stdexcept>
+#include <functional>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -15,14 +13,6 @@ namespace {
 
 bool wants(const scene::Case& scene, scene::OutputField field) {
   return std::ranges::find(scene.output.fields, field) != scene.output.fields.end();
-}
-
-void add_water(SoilFrame::Water& frame, const Particles& set, std::size_t k, double speed_of_time) {
-  const WaterState state = water_state(set, k);
-  frame.pressure.push_back(state.pressure);
-  frame.excess.push_back(state.excess);
-  frame.ratio.push_back(state.ratio);
-  frame.flux.insert(frame.flux.end(), {state.flux.x / speed_of_time, state.flux.y / speed_of_time});
 }
 
 std::vector<materials::StateVariable> all_state_variables(const Domain& domain) {
@@ -35,103 +25,168 @@ std::vector<materials::StateVariable> all_state_variables(const Domain& domain) 
   return all;
 }
 
-double state_value(const Particles& set, std::size_t k, std::string_view name) {
-  const auto variables = materials::state_variables(set.law);
-  for (std::size_t s = 0; s < variables.size(); ++s)
-    if (variables[s].name == name)
-      return set.state[k * set.state_size + s];
-  return 0.0;
+/// One of the soil's sets at the time of a frame.
+struct FrameSet {
+  const Snapshot& snapshot;
+  const Stepper& stepper;
+  std::size_t number;
+
+  const Particles& particles() const { return snapshot.sets()[number]; }
+  double speed_of_time() const { return stepper.speed_of_time(); }
+};
+
+/// Appends the values of particle k.
+using Values = std::function<void(std::size_t k, std::vector<double>& to)>;
+using ValuesOfSet = std::function<Values(const FrameSet& set)>;
+
+void append(std::vector<double>& to, const Vector& v) {
+  to.insert(to.end(), {v.x, v.y});
 }
 
-/// The fields of frames that the table of particle fields names, in its order, and fields of one's own.
-std::vector<SoilFrame::Carried> carried_fields(const Domain& domain) {
-  std::vector<SoilFrame::Carried> fields;
-  domain.sets.front().for_fields([&](const ParticleFieldDescription& line, const std::vector<double>&) {
-    const std::string& name = line.in_frames();
-    if (!name.empty()) {
-      auto known = std::ranges::find(fields, name, &SoilFrame::Carried::name);
-      if (known == fields.end())
-        known = fields.insert(known, {name, line.unit, {}, {}});
-      known->components.push_back(line.name);
-    }
-  });
-  return fields;
+Values position(const FrameSet& set) {
+  return [set](std::size_t k, auto& to) {
+    append(to, mpm_domain::position_of(set.particles(), k, set.stepper.dt()));
+  };
 }
 
-/// Adds the arrays of an output field to those of a frame.
-using Add = void (*)(const SoilFrame&, const scene::OutputFieldRow&, std::vector<results::Field>&);
-
-/// The frame's own array.
-template <auto array>
-void add_own(const SoilFrame& frame, const scene::OutputFieldRow& row, std::vector<results::Field>& fields) {
-  fields.push_back({row.name, row.unit, row.components, frame.*array});
+Values displacement(const FrameSet& set) {
+  return [set](std::size_t k, auto& to) {
+    append(to, mpm_domain::displacement(set.particles(), k, set.stepper.dt()));
+  };
 }
 
-/// The frame's own array about water.
-template <auto array>
-void add_of_water(const SoilFrame& frame, const scene::OutputFieldRow& row,
-                  std::vector<results::Field>& fields) {
-  fields.push_back({row.name, row.unit, row.components, frame.water.*array});
+Values velocity(const FrameSet& set) {
+  return [set](std::size_t k, auto& to) {
+    append(to, set.snapshot.velocity(set.number, k) / set.speed_of_time());
+  };
 }
 
-results::Field as_field(const SoilFrame::Carried& field) {
-  return {field.name, field.unit, field.components.size(), field.values};
+Values acceleration(const FrameSet& set) {
+  return [set, n = set.speed_of_time()](std::size_t k, auto& to) {
+    append(to, set.snapshot.acceleration(set.number, k) / (n * n));
+  };
 }
 
-/// The array of what particles carry under the field's name.
-void add_carried(const SoilFrame& frame, const scene::OutputFieldRow& row,
-                 std::vector<results::Field>& fields) {
-  const auto field = std::ranges::find(frame.carried, row.name, &SoilFrame::Carried::name);
-  if (field == frame.carried.end())
-    throw std::logic_error(fmt::format("particles carry no field '{}' for frames", row.name));
-  fields.push_back(as_field(*field));
+template <double WaterState::*member>
+Values of_water(const FrameSet& set) {
+  return [set](std::size_t k, auto& to) { to.push_back(water_state(set.particles(), k).*member); };
 }
 
-/// An array for each state variable.
-void add_states(const SoilFrame& frame, const scene::OutputFieldRow&, std::vector<results::Field>& fields) {
-  for (std::size_t v = 0; v < frame.variables.size(); ++v)
-    fields.push_back({frame.variables[v].name, frame.variables[v].unit, 1, frame.states[v]});
+Values darcy_velocity(const FrameSet& set) {
+  return [set](std::size_t k, auto& to) {
+    append(to, water_state(set.particles(), k).flux / set.speed_of_time());
+  };
 }
 
-/// Where the arrays of an output field come from.
+/// The size of particles at the start.
+Values size(const FrameSet& set) {
+  return [set](std::size_t, auto& to) { to.push_back(2.0 * set.particles().half_size); };
+}
+
+/// Fields that particles carry under these names.
+ValuesOfSet carried(std::vector<std::string> names) {
+  return [names = std::move(names)](const FrameSet& set) -> Values {
+    std::vector<const std::vector<double>*> columns;
+    for (const std::string& name : names)
+      set.particles().for_fields(
+          [&](const ParticleFieldDescription& line, const std::vector<double>& values) {
+            if (line.name == name)
+              columns.push_back(&values);
+          });
+    return [columns = std::move(columns)](std::size_t k, auto& to) {
+      for (const std::vector<double>* column : columns)
+        to.push_back((*column)[k]);
+    };
+  };
+}
+
+/// A state variable; 0 where the law of the soil has none of this name.
+ValuesOfSet state(const std::string& name) {
+  return [name](const FrameSet& set) -> Values {
+    const Particles& particles = set.particles();
+    const auto variables = materials::state_variables(particles.law);
+    const auto found = std::ranges::find(variables, name, &materials::StateVariable::name);
+    if (found == variables.end())
+      return [](std::size_t, auto& to) { to.push_back(0.0); };
+    return [&particles, s = static_cast<std::size_t>(found - variables.begin())](std::size_t k, auto& to) {
+      to.push_back(particles.state[k * particles.state_size + s]);
+    };
+  };
+}
+
+/// What an output field of a case is made from. Stress is carried by particles under its own name, and state
+/// is an array a state variable.
 struct Source {
   scene::OutputField field;
-  Add add;
+  Values (*values)(const FrameSet& set);
 };
 
 constexpr std::array sources{
-    Source{scene::OutputField::displacement, add_own<&SoilFrame::displacement>},
-    Source{scene::OutputField::velocity, add_carried},
-    Source{scene::OutputField::acceleration, add_own<&SoilFrame::acceleration>},
-    Source{scene::OutputField::stress, add_carried},
-    Source{scene::OutputField::state, add_states},
-    Source{scene::OutputField::pore_pressure, add_of_water<&SoilFrame::Water::pressure>},
-    Source{scene::OutputField::excess_pore_pressure, add_of_water<&SoilFrame::Water::excess>},
-    Source{scene::OutputField::pore_pressure_ratio, add_of_water<&SoilFrame::Water::ratio>},
-    Source{scene::OutputField::darcy_velocity, add_of_water<&SoilFrame::Water::flux>},
+    Source{scene::OutputField::displacement, displacement},
+    Source{scene::OutputField::velocity, velocity},
+    Source{scene::OutputField::acceleration, acceleration},
+    Source{scene::OutputField::stress, nullptr},
+    Source{scene::OutputField::state, nullptr},
+    Source{scene::OutputField::pore_pressure, of_water<&WaterState::pressure>},
+    Source{scene::OutputField::excess_pore_pressure, of_water<&WaterState::excess>},
+    Source{scene::OutputField::pore_pressure_ratio, of_water<&WaterState::ratio>},
+    Source{scene::OutputField::darcy_velocity, darcy_velocity},
 };
 static_assert(std::ranges::equal(sources, scene::output_fields, {}, &Source::field,
                                  &scene::OutputFieldRow::field),
               "every output field of a case has its source here, in the order of scene::output_fields");
 
-bool is_output_field(std::string_view name) {
-  return value_named<scene::OutputField>(name).has_value();
+/// An array of a frame, and where its values come from.
+struct Column {
+  std::string name;
+  std::string unit;
+  std::size_t components;
+  ValuesOfSet values;
+};
+
+/// Those of a table of particle fields that frames show, but for the velocity, which is that of the snapshot.
+std::vector<Column> carried_columns(const Domain& domain, const scene::Case& scene) {
+  struct Named {
+    std::string name, unit;
+    std::vector<std::string> components;
+  };
+  std::vector<Named> fields;
+  domain.sets.front().for_fields([&](const ParticleFieldDescription& line, const std::vector<double>&) {
+    const std::string& name = line.in_frames();
+    if (name.empty() || name == scene::name(scene::OutputField::velocity) || !is_wanted(scene, name))
+      return;
+    auto known = std::ranges::find(fields, name, &Named::name);
+    if (known == fields.end())
+      known = fields.insert(known, {name, line.unit, {}});
+    known->components.push_back(line.name);
+  });
+  std::vector<Column> columns;
+  columns.reserve(fields.size());
+  for (const Named& field : fields)
+    columns.push_back({field.name, field.unit, field.components.size(), carried(field.components)});
+  return columns;
 }
 
-/// Makes room for so many particles, so that no array grows to twice what it needs.
-void reserve(SoilFrame& frame, std::size_t particles) {
-  for (std::vector<double>* vectors : {&frame.position, &frame.displacement, &frame.acceleration})
-    vectors->reserve(2 * particles);
-  frame.soil.reserve(particles);
-  for (SoilFrame::Carried& field : frame.carried)
-    field.values.reserve(field.components.size() * particles);
-  for (std::vector<double>& state : frame.states)
-    state.reserve(particles);
+std::vector<Column> columns_of(const Domain& domain, const scene::Case& scene) {
+  std::vector<Column> columns{{"position", "m", 2, position}};
+  if (domain.mesh)
+    columns.push_back({"size", "m", 1, size});
+  for (const auto& [field, values] : sources) {
+    const scene::OutputFieldRow& row = scene::row(field);
+    if (values != nullptr && wants(scene, field) && (!row.of_water || scene.water))
+      columns.push_back({std::string(row.name), std::string(row.unit), row.components, values});
+  }
+  if (wants(scene, scene::OutputField::state))
+    for (const materials::StateVariable& variable : all_state_variables(domain))
+      columns.push_back(
+          {std::string(variable.name), std::string(variable.unit), 1, state(std::string(variable.name))});
+  for (Column& column : carried_columns(domain, scene))
+    columns.push_back(std::move(column));
+  return columns;
 }
 
 } // namespace
 
-/// The names of the soils. Slices of one soil are consecutive and share its name.
 std::vector<std::string> soil_names(const Spec& spec) {
   std::vector<std::string> names;
   for (const Soil& soil : spec.soils)
@@ -147,72 +202,40 @@ bool is_wanted(const scene::Case& scene, std::string_view name) {
   return !field || wants(scene, *field);
 }
 
-SoilFrame::SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, bool has_water) {
-  const double n = stepper.speed_of_time();
+SoilFrame::SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper,
+                     const scene::Case& scene) {
   const std::vector<std::string> names = soil_names(domain.spec);
-  carried = carried_fields(domain);
-  variables = all_state_variables(domain);
-  states.resize(variables.size());
+  const std::vector<Column> columns = columns_of(domain, scene);
   std::size_t particles = 0;
   for (const Particles& set : snapshot.sets_of_soil())
     particles += set.size();
-  reserve(*this, particles);
+  soil_.reserve(particles);
+  for (const Column& column : columns)
+    arrays_.emplace_back(Array{column.name, column.unit, column.components, {}})
+        .values.reserve(column.components * particles);
   for (std::size_t s = 0; s < domain.soil_sets; ++s) {
-    const Particles& set = snapshot.sets()[s];
-    const auto name = static_cast<std::int32_t>(std::ranges::find(names, set.soil) - names.begin());
-    std::map<std::string_view, const std::vector<double>*> columns;
-    set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
-      columns[line.name] = &values;
-    });
-    std::vector<double> vx(set.size());
-    std::vector<double> vy(set.size());
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const Vector v = snapshot.velocity(s, k);
-      vx[k] = v.x / n;
-      vy[k] = v.y / n;
-    }
-    columns["vx"] = &vx;
-    columns["vy"] = &vy;
-    std::vector<std::vector<const std::vector<double>*>> columns_of; // by field and component
-    for (const Carried& field : carried) {
-      std::vector<const std::vector<double>*>& components = columns_of.emplace_back();
-      for (const std::string& component : field.components)
-        components.push_back(columns.at(component));
-    }
-    for (const std::uint32_t k : set.index_of) {
+    const FrameSet set{snapshot, stepper, s};
+    const auto name =
+        static_cast<std::int32_t>(std::ranges::find(names, set.particles().soil) - names.begin());
+    std::vector<Values> values;
+    values.reserve(columns.size());
+    for (const Column& column : columns)
+      values.push_back(column.values(set));
+    for (const std::uint32_t k : set.particles().index_of) {
       if (k == Particles::nowhere)
         continue;
-      const Vector a = snapshot.acceleration(s, k);
-      const auto [x, y] = position_of(set, k, stepper.dt());
-      position.insert(position.end(), {x, y});
-      const Vector moved = mpm_domain::displacement(set, k, stepper.dt());
-      displacement.insert(displacement.end(), {moved.x, moved.y});
-      acceleration.insert(acceleration.end(), {a.x / (n * n), a.y / (n * n)});
-      for (std::size_t f = 0; f < columns_of.size(); ++f)
-        for (const std::vector<double>* component : columns_of[f])
-          carried[f].values.push_back((*component)[k]);
-      if (has_water)
-        add_water(water, set, k, n);
-      soil.push_back(name);
-      if (domain.mesh)
-        size.push_back(2.0 * set.half_size);
-      for (std::size_t v = 0; v < variables.size(); ++v)
-        states[v].push_back(state_value(set, k, variables[v].name));
+      soil_.push_back(name);
+      for (std::size_t c = 0; c < values.size(); ++c)
+        values[c](k, arrays_[c].values);
     }
   }
 }
 
-std::vector<results::Field> SoilFrame::fields(const scene::Case& scene) const {
-  std::vector<results::Field> wanted{{"position", "m", 2, position}, {"soil", "1", 1, soil}};
-  if (!size.empty())
-    wanted.push_back({"size", "m", 1, size});
-  for (const auto& [field, add] : sources)
-    if (wants(scene, field))
-      add(*this, scene::row(field), wanted);
-  for (const Carried& field : carried)
-    if (!is_output_field(field.name) && is_wanted(scene, field.name))
-      wanted.push_back(as_field(field));
-  return wanted;
+std::vector<results::Field> SoilFrame::fields() const {
+  std::vector<results::Field> fields{{"soil", "1", 1, soil_}};
+  for (const Array& array : arrays_)
+    fields.push_back({array.name, array.unit, array.components, array.values});
+  return fields;
 }
 
 } // namespace tremolo::mpm_domain

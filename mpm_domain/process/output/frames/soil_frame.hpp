@@ -21,32 +21,24 @@ std::vector<std::string> soil_names(const Spec& spec);
 /// Whether a case requests a field. A field that the case cannot select is written whenever it exists.
 bool is_wanted(const scene::Case& scene, std::string_view name);
 
-struct SoilFrame {
-  /// @param has_water  whether there is a water table, without which no field of the pore water is written
-  SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, bool has_water);
+class SoilFrame {
+public:
+  SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, const scene::Case& scene);
 
-  /// The fields that the case requests; they refer to the arrays.
-  std::vector<results::Field> fields(const scene::Case& scene) const;
+  /// They refer to the arrays here.
+  std::vector<results::Field> fields() const;
 
-  /// A field that particles carry.
-  struct Carried {
+private:
+  /// Values of all particles.
+  struct Array {
     std::string name;
     std::string unit;
-    std::vector<std::string> components; ///< names of particle fields
+    std::size_t components = 1; ///< a particle
     std::vector<double> values;
   };
-  /// Fields that follow from the pore water; 0 where there is none.
-  struct Water {
-    std::vector<double> pressure, excess, ratio, flux;
-  };
 
-  std::vector<double> position, displacement, acceleration;
-  std::vector<double> size; ///< on a graded mesh alone
-  std::vector<std::int32_t> soil;
-  std::vector<Carried> carried; ///< by the table of fields
-  Water water;
-  std::vector<materials::StateVariable> variables; ///< of all soils, each name once
-  std::vector<std::vector<double>> states; ///< one array a variable; 0 where a soil has no such variable
+  std::vector<std::int32_t> soil_;
+  std::vector<Array> arrays_;
 };
 
 } // namespace tremolo::mpm_domain

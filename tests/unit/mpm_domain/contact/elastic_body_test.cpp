@@ -148,7 +148,7 @@ TEST(BodySurface, KnowsItsCorners) {
   EXPECT_LT(surface.nearest({1.0, 0.1}).distance, 0.0);
 }
 
-/// Corners that stick out are toes; a place beyond one stands on it, others next to themselves.
+/// Corners that stick out are toes; a point beyond one stands on it, others next to themselves.
 TEST(BodySurface, KnowsItsToes) {
   const BodySurface angle({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}});
   EXPECT_EQ(angle.toes().size(), 5U);

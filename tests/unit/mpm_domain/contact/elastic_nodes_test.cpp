@@ -115,7 +115,7 @@ TEST(DryElasticNode, PassesOnNoMoreThanAnAllButEmptyNodeHas) {
   EXPECT_NEAR(pair.body.x, pair.solid.x, 1e-7); // the rounding of its trial velocity
 }
 
-/// Labels of soil and body change places: the same motion. A second contact changes nothing.
+/// Labels of soil and body change positions: the same motion. A second contact changes nothing.
 TEST(DryElasticNode, KnowsNoLabelsAndIsDoneAtOnce) {
   Draw draw(13);
   for (int k = 0; k < 100000; ++k) {

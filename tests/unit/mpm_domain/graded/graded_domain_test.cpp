@@ -353,7 +353,7 @@ TEST(GradedDomain, AStepOverTheLimitIsRefusedWithTheCellsAndWavesThatSetIt) {
   }
 }
 
-/// A particle of a narrow period may touch a node and its image, which are two places.
+/// A particle of a narrow period may touch a node and its image, which are two positions.
 TEST(GradedDomain, APeriodOfTwoCellsIsTwiceInOneOfFour) {
   const auto velocities = [](double width) {
     Spec spec = test_support::elastic_box(width, 6.0, 1.0);

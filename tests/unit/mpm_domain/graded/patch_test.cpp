@@ -23,7 +23,7 @@ std::vector<mesh::Rectangle> aligned_tiles(const GradedMesh& mesh) {
   return tiles;
 }
 
-/// The whole mesh cut at random places.
+/// The whole mesh cut at random positions.
 std::vector<mesh::Rectangle> random_tiles() {
   std::mt19937 random(23);
   std::uniform_real_distribution<double> at(0.0, 8.0);

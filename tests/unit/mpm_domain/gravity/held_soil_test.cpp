@@ -34,7 +34,7 @@ Spec layered() {
   return spec;
 }
 
-/// What stands at a place: name of the soil, stiffness, and whether it is elastic.
+/// What stands at a point: name of the soil, stiffness, and whether it is elastic.
 using Found = std::map<std::pair<double, double>, std::tuple<std::string, double, bool>>;
 Found at_places(const Spec& spec) {
   Found found;

@@ -137,7 +137,7 @@ TEST(StaticStages, AreShownAsTheyAreAndStaySo) {
   expect_same(before, after);
 }
 
-/// The mean place of a polygon's corners.
+/// The mean position of a polygon's corners.
 Vector middle(const std::vector<Vector>& corners) {
   Vector sum;
   for (const Vector& corner : corners)

@@ -77,7 +77,7 @@ TEST(LiningSurface, PassesRigidMotionOnExactlyAndMomentsBack) {
             at.y + of_node * (lattice.y0 + static_cast<double>(node / 22) * 0.5)};
     }
     EXPECT_NEAR(share, 1.0, 1e-14);
-    EXPECT_NEAR(at.x, of.position.x, 1e-14); // both sides act at the same place
+    EXPECT_NEAR(at.x, of.position.x, 1e-14); // both sides act at the same position
     EXPECT_NEAR(at.y, of.position.y, 1e-14);
   }
 }

@@ -1,4 +1,4 @@
-#include "scene/rules/particle_places.hpp"
+#include "scene/rules/particle_positions.hpp"
 
 #include "mpm_domain/spec/plot.hpp"
 #include "scene/plan/structures.hpp"
@@ -16,7 +16,7 @@ struct Search {
   int per_direction; ///< particles of a cell
   std::vector<Polygon> regions;
   std::vector<Polygon> structures;
-  const std::function<bool(const ParticlePlace&)>& found;
+  const std::function<bool(const ParticlePosition&)>& found;
 
   bool at(Point middle, double size_of_square) const {
     const auto plot = mpm_domain::plot_of(regions, structures, middle.x, middle.y, size_of_square);
@@ -46,8 +46,8 @@ int root_at(double distance, double size, int count) {
 
 } // namespace
 
-bool find_particle_place(const Case& scene, const mesh::Quadtree& tree, const mesh::Rectangle& box,
-                         const std::function<bool(const ParticlePlace&)>& found) {
+bool find_particle_position(const Case& scene, const mesh::Quadtree& tree, const mesh::Rectangle& box,
+                            const std::function<bool(const ParticlePosition&)>& found) {
   const mesh::Roots& roots = tree.roots();
   const Search search{tree, box, scene.mesh.particles_per_cell, region_polygons(scene), outlines(scene),
                       found};
