@@ -60,8 +60,8 @@ TEST_P(WetBase, IsPressedSmoothlyAndLetsNoJetOut) {
   RecordProperty("fastest", std::to_string(fastest));
 }
 
-INSTANTIATE_TEST_SUITE_P(Soils, WetBase,
-                         testing::Values(materials::Drainage::undrained, materials::Drainage::coupled));
+INSTANTIATE_TEST_SUITE_P(Soils, WetBase, testing::Values(materials::Drainage::coupled));
+INSTANTIATE_TEST_SUITE_P(AcceptanceSoils, WetBase, testing::Values(materials::Drainage::undrained));
 
 } // namespace
 } // namespace tremolo::mpm_domain
