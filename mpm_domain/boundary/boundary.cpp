@@ -71,8 +71,8 @@ void Boundary::exchange(Step& step, const FreeFieldSource& source) {
 }
 
 void Boundary::exchange(Step& step, Support& support) {
-  supports_.exchange(support, {step.ground, step.ground.workers, faces_, step.time, step.dt, motion_.seen(),
-                               motion_.seen_mean(), motion_.mean(), free_field_});
+  supports_.exchange(support, {step.ground, step.ground.workers, faces_, soil_.all(), step.time, step.dt,
+                               motion_.seen(), motion_.seen_mean(), motion_.mean(), free_field_});
 }
 
 void Boundary::evaluate(std::size_t f) {

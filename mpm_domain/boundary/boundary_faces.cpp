@@ -103,7 +103,8 @@ FaceSoil soil_at(const BoundaryFace& face, const Particles& set) {
   const double excess = set.traits.wet ? excess_pressure(set, k) : 0.0;
   const FacePosition position = position_of(face, set);
   const double length = face.side == Side::base ? face.length : set.volume[k] / (2.0 * position.half.x);
-  return {position, set.x[k] - face.start_x, set.syy[k] - excess, excess, length};
+  const Vector displacement{set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
+  return {position, set.x[k] - face.start_x, set.syy[k] - excess, excess, length, displacement};
 }
 
 mesh::Rectangle line_of(const BoundaryFace& face, const FacePosition& position) {

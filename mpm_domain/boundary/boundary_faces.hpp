@@ -93,6 +93,7 @@ struct FaceSoil {
   double syy = 0.0;    ///< total where there is pore water and over that of the water at rest, Pa
   double excess = 0.0; ///< pore pressure over that of the water at rest, Pa
   double length = 0.0; ///< of the face: a side is as high as its soil, which settles, V/2l; m
+  Vector displacement; ///< of the particle since the start, m
 };
 FaceSoil soil_at(const BoundaryFace& face, const Particles& set);
 

@@ -28,21 +28,22 @@ std::vector<int> owners_of_faces(const Ground& ground, std::span<const BoundaryF
 /// The properties of the soil at faces that ranks exchange.
 auto shared_soil(const Ground& ground, std::span<const BoundaryFace> faces, const SharedList& list,
                  std::span<FaceSoil> soil) {
-  return SharedRows{&list, 8,
+  return SharedRows{&list, 10,
                     [&ground, faces, soil](std::size_t f, double* numbers) {
-                      const auto& [position, moved, syy, excess, length] = soil[f] =
+                      const auto& [position, moved, syy, excess, length, displacement] = soil[f] =
                           soil_at(faces[f], ground.sets[faces[f].set]);
                       const auto& [centre, half] = position;
-                      std::ranges::copy(
-                          std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess, length},
-                          numbers);
+                      std::ranges::copy(std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess,
+                                                   length, displacement.x, displacement.y},
+                                        numbers);
                     },
                     [soil](std::size_t f, const double* numbers) {
                       soil[f] = {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}},
                                  numbers[4],
                                  numbers[5],
                                  numbers[6],
-                                 numbers[7]};
+                                 numbers[7],
+                                 {numbers[8], numbers[9]}};
                     }};
 }
 

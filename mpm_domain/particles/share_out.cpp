@@ -125,8 +125,6 @@ std::optional<std::string> not_for_ranks(const Spec& spec) {
     return "a mesh whose levels take steps of their own";
   if (!spec.earthworks.empty())
     return "soil that is placed or removed after a shaking";
-  if (spec.sides == Sides::periodic_springs)
-    return "a domain with springs between its sides";
   if (spec.scheme.dispersion == Dispersion::reduced)
     return "a domain with reduced dispersion";
   return std::nullopt;

@@ -13,8 +13,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// @throws std::invalid_argument naming what of a domain ranks cannot share yet: sub-cycling, springs between
-/// the sides, reduced dispersion, changes of the ground between shakings
+/// @throws std::invalid_argument naming what of a domain ranks cannot share yet: sub-cycling, reduced
+/// dispersion, changes of the ground between shakings
 void require_shareable(const Spec& spec);
 
 /// Leaves whole ground, which is the same on all ranks, with the particles of this rank's tiles. What they

@@ -28,11 +28,10 @@ double stiffness_of(const Ground& ground, const BoundaryFace& face) {
   return 0.25 * density * h / (dt * dt);
 }
 
-/// Displacement since rest of the particle that a face rides on, m.
-Vector displacement(const Ground& ground, const BoundaryFace& face) {
-  const Particles& set = ground.sets[face.set];
-  const std::size_t k = set.index_of[face.id];
-  return {set.x[k] - set.x_initial[k], set.y[k] - set.y_initial[k]};
+/// Displacement since rest of the particle that a face rides on, m. Another rank may have the particle.
+Vector displacement(const Exchange& at, std::size_t face) {
+  const BoundaryFace& one = at.faces[face];
+  return (at.soil.empty() ? soil_at(one, at.ground.sets[one.set]) : at.soil[face]).displacement;
 }
 
 } // namespace
@@ -64,8 +63,8 @@ void PeriodicSprings::exchange(const Exchange& at, std::span<SupportLoad> loads)
   const std::size_t pairs = stiffness_.size();
   for (std::size_t left = 0; left < pairs; ++left) {
     const std::size_t right = pairs + left;
-    const Vector u_left = displacement(at.ground, at.faces[left]);
-    const Vector u_right = displacement(at.ground, at.faces[right]);
+    const Vector u_left = displacement(at, left);
+    const Vector u_right = displacement(at, right);
     const Vector pull = {stiffness_[left] * (u_right.x - u_left.x),
                          stiffness_[left] * (u_right.y - u_left.y)};
     loads[left].driven = pull;

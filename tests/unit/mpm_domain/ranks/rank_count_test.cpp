@@ -61,6 +61,12 @@ void slope(Spec& spec) {
                                   {60.0, -25.0}, {40.0, 0.0},    {0.0, 0.0}};
 }
 
+/// Periodic sides by springs.
+void tie_sides(Spec& spec) {
+  make_periodic(spec);
+  spec.sides = mpm_domain::Sides::periodic_springs;
+}
+
 /// Two soils, one upon the other, one damped by mechanisms and one as Rayleigh did.
 void layers(Spec& spec) {
   spec.soils.push_back(spec.soils.front());
@@ -116,6 +122,9 @@ const Model models[] = {
      15},
     {"PeriodicDrift", [](Spec& spec) { make_periodic(spec), yield(spec); }, 40, {120.0, 0.0}},
     {"PeriodicBuilding", [](Spec& spec) { make_periodic(spec), test_support::add_building(spec); }, 15},
+    {"SpringsBetweenSides", [](Spec& spec) { tie_sides(spec), yield(spec); }, 20},
+    {"SpringsBetweenWetSides",
+     [](Spec& spec) { add_water(spec, materials::Drainage::coupled), tie_sides(spec); }, 15},
     {"Levels", [](Spec& spec) { refine_corner(spec), yield(spec); }, 15},
     {"LevelsWet", [](Spec& spec) { add_water(spec, materials::Drainage::coupled), refine_corner(spec); }, 10},
     {"LevelsBuilding",
