@@ -36,7 +36,7 @@ Earthworks::Earthworks(Ground& ground) : going_(ground.spec.earthworks.size()) {
     return;
   const std::vector<Earthwork>& all = ground.spec.earthworks;
   for (const Earthwork& work : all)
-    for (const Region& region : work.position)
+    for (const Region& region : work.place)
       soil_to_place(ground, region); // refuses what could not be placed, before the ground is shaken
   for (const Region& region : ground.spec.regions) {
     const std::size_t removal = removal_of(region, all, 0);
@@ -88,7 +88,7 @@ void Earthworks::remove(Ground& ground) {
 void Earthworks::place(Ground& ground) {
   const std::vector<Earthwork>& all = ground.spec.earthworks;
   std::vector<std::pair<std::vector<Particles>, const Region*>> coming; // none settles on another one
-  for (const Region& region : all[begun_].position)
+  for (const Region& region : all[begun_].place)
     coming.emplace_back(soil_to_place(ground, region), &region);
   for (const auto& [sets, region] : coming)
     for (std::size_t s = 0; s < sets.size(); ++s)

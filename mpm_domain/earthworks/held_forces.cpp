@@ -17,10 +17,10 @@ int first_in_model(double edge, double origin, double h) {
 
 } // namespace
 
-std::map<PlaceInModel, NodeLoad> node_loads(Ground& ground) {
+std::map<PositionInModel, NodeLoad> node_loads(Ground& ground) {
   scatter(ground, ScatterPart::both);
   const Grid& grid = ground.grid;
-  std::map<PlaceInModel, NodeLoad> loads;
+  std::map<PositionInModel, NodeLoad> loads;
   for (int level = 0; level < ground.soil_lattice_count(); ++level) {
     const Lattice& lattice = ground.lattice(level);
     const int left = first_in_model(ground.spec.box.x_min, lattice.x0, lattice.h);
@@ -33,8 +33,8 @@ std::map<PlaceInModel, NodeLoad> node_loads(Ground& ground) {
   return loads;
 }
 
-HeldForces::HeldForces(const std::map<PlaceInModel, NodeLoad>& before,
-                       const std::map<PlaceInModel, NodeLoad>& after) {
+HeldForces::HeldForces(const std::map<PositionInModel, NodeLoad>& before,
+                       const std::map<PositionInModel, NodeLoad>& after) {
   for (const auto& [position, now] : after) {
     const auto found = before.find(position);
     const NodeLoad had = found == before.end() ? NodeLoad{now.mass, {}} : found->second;

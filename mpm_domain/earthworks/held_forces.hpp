@@ -21,7 +21,7 @@
 namespace tremolo::mpm_domain {
 
 /// Level, and cells to the right of and above the corner of the model.
-using PlaceInModel = std::array<int, 3>;
+using PositionInModel = std::array<int, 3>;
 
 /// Force and mass that the particles give to a node.
 struct NodeLoad {
@@ -30,12 +30,12 @@ struct NodeLoad {
 };
 
 /// The loads of all nodes with mass. Particles must be in the order of their present positions.
-std::map<PlaceInModel, NodeLoad> node_loads(Ground& ground);
+std::map<PositionInModel, NodeLoad> node_loads(Ground& ground);
 
 class HeldForces {
 public:
   HeldForces() = default;
-  HeldForces(const std::map<PlaceInModel, NodeLoad>& before, const std::map<PlaceInModel, NodeLoad>& after);
+  HeldForces(const std::map<PositionInModel, NodeLoad>& before, const std::map<PositionInModel, NodeLoad>& after);
 
   /// Adds a share (1) of the forces to those of the nodes.
   void act(Ground& ground, double share) const;
@@ -53,7 +53,7 @@ private:
   template <class Act>
   void over_nodes(const Ground& ground, double share, const Act& act) const;
 
-  std::map<PlaceInModel, Vector> forces_; ///< c, N/m
+  std::map<PositionInModel, Vector> forces_; ///< c, N/m
 };
 
 } // namespace tremolo::mpm_domain

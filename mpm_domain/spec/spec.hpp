@@ -94,7 +94,7 @@ struct StructureLoad {
 /// Soil that is placed and removed while the ground is in motion (earthworks/earthworks.hpp).
 struct Earthwork {
   Growth growth;
-  std::vector<Region> position;
+  std::vector<Region> place;
   std::vector<Region> remove; ///< each of which is among `regions`, or among `place` of an earlier one
 };
 

@@ -144,7 +144,7 @@ TEST(Earthworks, GoOnWithTheSameBitsFromACheckpoint) {
 
 TEST(Earthworks, RemoveASoilThatHasComeBack) {
   Spec spec = built_and_dug();
-  const Region fill = spec.earthworks.front().position.front();
+  const Region fill = spec.earthworks.front().place.front();
   spec.regions.push_back(fill); // there from the start
   spec.earthworks = {{{0.1, 0.1}, {}, {fill}}, {{0.3, 0.1}, {fill}, {}}, {{0.5, 0.1}, {}, {fill}}};
   GroundInMotion ground(spec);
@@ -169,7 +169,7 @@ TEST(Earthworks, PlaceSoilOnTheGroundAsItIsThen) {
     Domain domain(built_and_dug());
     move_ground(domain, way);
     const std::vector<Particles> placed =
-        soil_to_place(domain, domain.spec.earthworks.front().position.front());
+        soil_to_place(domain, domain.spec.earthworks.front().place.front());
     const Particles& set = placed.front();
     const double lowest = std::ranges::min(set.y) - 0.5 * size;
     EXPECT_NEAR(lowest, height + way, 0.5 * size) << "no gap, and nothing twice";
