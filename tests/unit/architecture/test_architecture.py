@@ -132,6 +132,17 @@ class Architecture(unittest.TestCase):
                 files = sum(p.suffix in {".cpp", ".hpp"} for p in folder.iterdir())
                 self.assertLessEqual(files, MOST_FILES, folder.relative_to(ROOT))
 
+    def test_tests_stand_where_their_source_does(self):
+        stems = {}
+        for library in sorted({folder.split("/")[0] for folder in LIBRARIES}):
+            for file in (ROOT / library).rglob("*.?pp"):
+                stems.setdefault((library, file.stem), set()).add(file.parent.relative_to(ROOT).as_posix())
+        unit = ROOT / "tests" / "unit"
+        for file in unit.rglob("*_test.cpp"):
+            folder = file.parent.relative_to(unit).as_posix()
+            sources = stems.get((folder.split("/")[0], file.stem.removesuffix("_test")), set())
+            self.assertTrue(len(sources) != 1 or folder in sources, f"{file.relative_to(ROOT)}: {sources}")
+
     def test_every_rule_has_a_test_of_its_name(self):
         rules = re.findall(r"Needs::\w+,\s*(\w+),", (ROOT / "scene/rules/rule_table.cpp").read_text(encoding="utf-8"))
         tests = {

@@ -1,6 +1,6 @@
 // [[refine]]: what is read, what is refused and where, and the levels that follow.
 
-#include "case_text.hpp"
+#include "tests/unit/scene/case_text.hpp"
 
 #include "scene/plan/plan.hpp"
 

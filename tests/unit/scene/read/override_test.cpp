@@ -1,6 +1,6 @@
 #include "scene/read/override.hpp"
 
-#include "case_text.hpp"
+#include "tests/unit/scene/case_text.hpp"
 #include "tests/support/paths.hpp"
 
 #include <gmock/gmock.h>

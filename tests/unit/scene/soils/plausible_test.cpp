@@ -4,7 +4,7 @@
 
 #include "rules/rule_cases.hpp"
 #include "scene/soils/soil_library.hpp"
-#include "structure_case.hpp"
+#include "tests/unit/scene/structure_case.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #include "scene/text/set_value.hpp"
 
-#include "case_text.hpp"
+#include "tests/unit/scene/case_text.hpp"
 
 #include <gmock/gmock.h>
 

@@ -4,7 +4,7 @@
 #include "results/paraview/vtkhdf.hpp"
 
 #include "results/hdf5/hdf5_read.hpp"
-#include "sample_run.hpp"
+#include "tests/unit/results/sample_run.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What a study of site responses says: its models, counts as axes, the colours of its pictures, and what is
 // refused.
 
-#include "joined.hpp"
+#include "tests/unit/scene/random/joined.hpp"
 #include "scene/study.hpp"
 
 #include "scene/text/errors.hpp"

@@ -2,7 +2,7 @@
 
 #include "scene/plan/hosts.hpp"
 
-#include "case_text.hpp"
+#include "tests/unit/scene/case_text.hpp"
 #include "scene/text/files.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "case_text.hpp"
+#include "tests/unit/scene/case_text.hpp"
 
 #include "scene/plan/plan.hpp"
 #include "tests/support/paths.hpp"

@@ -1,6 +1,6 @@
 // Each kind of error in a single key, with its exact message, and the values that a good case gives.
 
-#include "case_text.hpp"
+#include "tests/unit/scene/case_text.hpp"
 #include "scene/keys/keys.hpp"
 
 #include <gmock/gmock.h>

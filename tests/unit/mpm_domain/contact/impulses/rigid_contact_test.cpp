@@ -1,7 +1,7 @@
 // What contact promises at one node and at many, over random states: momentum, common normal velocity, loss
 // of energy, the friction cone, invariance, and the same impulses as an independent iteration.
 
-#include "random_nodes.hpp"
+#include "tests/unit/mpm_domain/contact/random_nodes.hpp"
 
 #include <gtest/gtest.h>
 
