@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/output_place.hpp"
 #include "app/python.hpp"
+#include "app/run/hosts/domain_ranks.hpp"
 #include "app/run/local_options.hpp"
 #include "app/run/run_lock.hpp"
 #include "app/sweep/sweep_plan.hpp"
@@ -30,6 +31,7 @@ struct Options {
   fs::path out;
   std::optional<int> jobs;
   std::optional<std::string> slurm;
+  DomainRanks ranks; ///< of each run
 };
 
 /// "slope_angles" for slope_angles.toml, "slope_oblique" for slope_oblique/sweep.toml.
@@ -75,6 +77,25 @@ scene::Axis made_motions(const scene::Study& study, const fs::path& folder) {
   return axis;
 }
 
+/// Refuses ranks for a run that has no domain or whose domain they cannot share, before anything is written.
+/// @throws std::runtime_error, std::invalid_argument
+void require_ranks(const Options& options, const scene::Study& study, const scene::Case& given,
+                   const std::vector<SweepRun>& runs) {
+  if (options.ranks.count == 1)
+    return;
+  if (!study.models.empty())
+    throw std::invalid_argument(
+        fmt::format("--ranks {}: {} computes site responses, which have no domain to share: leave it out",
+                    options.ranks.count, study.file.string()));
+  if (!options.slurm)
+    check_ranks(given, options.ranks, true);
+  for (const SweepRun& run : runs) {
+    const auto scene = scene::parse(run.text, given.file, given.directory);
+    if (const std::string why = what_ranks_cannot_share(scene); !why.empty())
+      throw std::invalid_argument(fmt::format("--ranks {}: {}", options.ranks.count, why));
+  }
+}
+
 void sweep(const Options& options) {
   const auto study = scene::load_study(options.study);
   const auto given = case_of(study);
@@ -84,6 +105,7 @@ void sweep(const Options& options) {
   if (study.motions)
     noise_recipe(study);
   auto runs = planned_runs(study, axes, given);
+  require_ranks(options, study, given, runs);
 
   const fs::path folder = options.out.empty() ? fs::path("sweeps") / study_name(options.study) : options.out;
   make_folder(folder);
@@ -107,6 +129,8 @@ void sweep(const Options& options) {
                                      fs::read_symlink("/proc/self/exe").string()};
   if (options.jobs)
     arguments.insert(arguments.end(), {"--jobs", fmt::format("{}", *options.jobs)});
+  if (options.ranks.count > 1)
+    arguments.insert(arguments.end(), {"--ranks", fmt::format("{}", options.ranks.count)});
   if (options.slurm)
     arguments.push_back(fmt::format("--slurm={}", *options.slurm));
   std::signal(SIGINT, SIG_IGN); // Ctrl-C reaches Python too, which ends the runs and says how to go on
@@ -128,8 +152,15 @@ void add_sweep(Command& app) {
   command->add_option(
       "--out", options->out,
       "Folder of the sweep (default: sweeps/NAME). Runs that have ended well there are not made again");
-  command->add_option("--jobs", options->jobs, "Runs at a time (default: as many as there are cores)")
+  command
+      ->add_option("--jobs", options->jobs,
+                   "Runs at a time (default: as many as there are cores, or ranks fit on them)")
       ->between(1, most_threads);
+  command
+      ->add_option("--ranks", options->ranks.count,
+                   "Processes that share the domain of each run, by MPI; results do not depend on it")
+      ->between(1, most_ranks)
+      ->capture_default_str();
   command->add_option(
       "--slurm", options->slurm,
       "OPTIONS of sbatch, such as \"--partition=short --time=2:00:00\": the runs are a job array of "

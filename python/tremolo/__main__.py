@@ -224,12 +224,14 @@ def safety_picture(arguments):
 
 
 def sweep_runs(arguments):
-    yield from sweep_command.carry_out(arguments.path, sweep_command.find_program(arguments.tremolo), arguments.jobs, arguments.slurm)
+    yield from sweep_command.carry_out(arguments.path, sweep_command.find_program(arguments.tremolo), arguments.jobs, arguments.slurm,
+                                       arguments.ranks)
 
 
 def sweep_task(arguments):
     records = [int(number) for number in arguments.records.split(",")] if arguments.records else []
-    yield sweep_command.one_task(arguments.path, arguments.number, arguments.tremolo, arguments.threads, arguments.number in records)
+    yield sweep_command.one_task(arguments.path, arguments.number, arguments.tremolo, arguments.threads, arguments.number in records,
+                                 arguments.ranks)
 
 
 def command_table(arguments):
@@ -347,11 +349,13 @@ def _parser():
     swept.add_argument("--tremolo", default="tremolo", help="the program")
     swept.add_argument("--jobs", type=int, help="runs at a time")
     swept.add_argument("--slurm", metavar="OPTIONS", help="options of sbatch")
+    swept.add_argument("--ranks", type=int, default=1, help="processes that share the domain of each run")
     one = add("sweep-task", sweep_task, "Makes one run of a sweep: a task of a job array.")
     one.add_argument("path", help="the folder that `tremolo sweep` planned")
     one.add_argument("number", type=int, help="of the run in sweep.json, from 0")
     one.add_argument("--tremolo", default="tremolo", help="the program")
-    one.add_argument("--threads", type=int, default=1, help="of the domain")
+    one.add_argument("--threads", type=int, default=1, help="of the domain, or of each of its ranks")
+    one.add_argument("--ranks", type=int, default=1, help="processes that share the domain")
     one.add_argument("--records", help="numbers of the runs that record their exchange, with commas")
     table = add("command-table", command_table, "What each command takes, as JSON.")
     table.add_argument("path", help="the file to write")

@@ -70,10 +70,10 @@ def found_text(sweep):
                        f"of {pair.pairs}, later in {pair.larger}, alike in {pair.alike}")
 
 
-def carry_out(folder, tremolo, jobs=None, options=None):
+def carry_out(folder, tremolo, jobs=None, options=None, ranks=1):
     """Yields what is said while the runs of the sweep in a folder are made, and the paths of what is written.
 
-    jobs: runs at a time; options: of sbatch, where Slurm makes the runs.
+    jobs: runs at a time; options: of sbatch, where Slurm makes the runs; ranks: that share the domain of each.
     Raises Interrupted, and SomeFailed at the end.
     """
     for number in (signal.SIGINT, signal.SIGTERM):
@@ -87,7 +87,7 @@ def carry_out(folder, tremolo, jobs=None, options=None):
     yield f"{plan.title}: {len(plan.runs)} runs" + (f", {done} of them done" if done else "")
     try:
         if options is not None:
-            arrays = slurm.Arrays(plan, options, tremolo, jobs)
+            arrays = slurm.Arrays(plan, options, tremolo, jobs, ranks)
             if arrays.going():
                 yield f"  jobs of an earlier command go on: {', '.join(arrays.jobs)}"
             elif pending:
@@ -96,7 +96,7 @@ def carry_out(folder, tremolo, jobs=None, options=None):
             if arrays.jobs:
                 yield from _progress(plan, arrays.watch(), len(plan.runs))
         elif pending:
-            yield from _progress(plan, pool.carry_out(plan, pending, tremolo, jobs), len(plan.runs))
+            yield from _progress(plan, pool.carry_out(plan, pending, tremolo, jobs, ranks), len(plan.runs))
     except KeyboardInterrupt:
         again = "the same command goes on from here"
         if options is not None and arrays.jobs:
@@ -123,12 +123,12 @@ def find_program(name):
     return found
 
 
-def one_task(folder, number, tremolo, threads, records):
+def one_task(folder, number, tremolo, threads, records, ranks=1):
     """A task of a job array."""
     plan = Plan(folder)
     if not 0 <= number < len(plan.runs):
         raise ValueError(f"{folder}: has no run number {number}")
-    work = task.Task(plan, number, find_program(tremolo), threads, records)
+    work = task.Task(plan, number, find_program(tremolo), threads, records, ranks)
     signal.signal(signal.SIGTERM, lambda *_: work.stop())  # requeued or cancelled: leaves no result
     work.carry_out()
     status = plan.runs[number].status()

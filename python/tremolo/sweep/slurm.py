@@ -23,7 +23,7 @@ GONE = "Invalid job id"
 SCRIPT = """#!/bin/bash
 # A run of {folder}: task N is run N of its sweep.json.
 export PYTHONPATH={path}
-exec {python} -m tremolo sweep-task {folder} "$SLURM_ARRAY_TASK_ID" --tremolo {tremolo} --threads "${{SLURM_CPUS_PER_TASK:-1}}"{records}
+exec {python} -m tremolo sweep-task {folder} "$SLURM_ARRAY_TASK_ID" --tremolo {tremolo} --threads "${{SLURM_CPUS_PER_TASK:-1}}" --ranks {ranks}{records}
 """
 
 
@@ -54,8 +54,8 @@ def _words(options):
 class Arrays:
     """Two job arrays at most; submits them, or finds those that an earlier command submitted."""
 
-    def __init__(self, plan, options, tremolo, jobs=None):
-        self._plan, self._options, self._tremolo, self._jobs = plan, _words(options), tremolo, jobs
+    def __init__(self, plan, options, tremolo, jobs=None, ranks=1):
+        self._plan, self._options, self._tremolo, self._jobs, self._ranks = plan, _words(options), tremolo, jobs, ranks
         self._file = plan.folder / "slurm.json"
         self.states = {}  # "12_3" -> (state, reason) as last seen
 
@@ -80,9 +80,11 @@ class Arrays:
         option = f" --records {','.join(map(str, records))}" if records else ""
         script.write_text(SCRIPT.format(folder=shlex.quote(str(folder)), python=shlex.quote(sys.executable),
                                         path=shlex.quote(":".join(filter(None, sys.path))), tremolo=shlex.quote(str(self._tremolo)),
-                                        records=option), encoding="utf-8")
+                                        ranks=self._ranks, records=option), encoding="utf-8")
         at_a_time = f"%{self._jobs}" if self._jobs else ""
-        command = ["sbatch", "--parsable", "--requeue", "--job-name=tremolo-sweep", f"--output={log}/slurm_%A_%a.txt", *self._options,
+        # The ranks of a run share one machine, each as a task of the job.
+        ranks = ["--nodes=1", f"--ntasks={self._ranks}"] if self._ranks > 1 else []
+        command = ["sbatch", "--parsable", "--requeue", "--job-name=tremolo-sweep", f"--output={log}/slurm_%A_%a.txt", *ranks, *self._options,
                    *more, f"--array={','.join(map(str, numbers))}{at_a_time}", str(script)]
         done = _asked(command)
         if done.returncode != 0:

@@ -25,11 +25,12 @@ def _why(log):
 
 
 class Task:
-    """Carries out one run. tremolo: the program; threads: of the domain; records: whether others wait for its free fields."""
+    """Carries out one run. tremolo: the program; threads: of the domain or of each of its ranks; records: whether others wait for its
+    free fields."""
 
-    def __init__(self, plan, number, tremolo, threads=1, records=False):
+    def __init__(self, plan, number, tremolo, threads=1, records=False, ranks=1):
         self._plan, self._run, self._number = plan, plan.runs[number], number
-        self._tremolo, self._threads, self._records = tremolo, threads, records
+        self._tremolo, self._threads, self._records, self._ranks = tremolo, threads, records, ranks
         self._process = None
         self._stopped = False
 
@@ -57,7 +58,7 @@ class Task:
     def _domain(self, source):
         run = self._run
         command = [self._tremolo, "run", run.recorded_case if self._records else run.case, "--out", run.folder, "--local",
-                   "--threads", str(self._threads)]
+                   "--threads", str(self._threads), "--ranks", str(self._ranks)]
         return command + (["--replay", source.folder] if source is not None else [])
 
     def _site_response(self):

@@ -18,6 +18,7 @@ import small_slurm
 from broken_run import SlopeWorkspace, checkpoints, differences, with_checkpoints
 from fault_lab import await_until
 from processes import variable
+from small_sweep import SweepWorkspace
 
 LACKING = [*small_slurm.missing(), *([] if BUILD == "mpi" else ["MPI in this build"])]
 # Both nodes are this machine, so ranks of one would take the files in memory of the other's for their own.
@@ -73,6 +74,13 @@ class RanksInAJob(unittest.TestCase):
         self.assertIn("as 3 ranks on the nodes of the job", self.said())
         self.assertRegex(self.said(), "left-base .* by srun")
         self.assertEqual([], differences(self.runs()[-1], self.whole))
+
+    def test_a_sweep_gives_each_of_its_runs_ranks(self):
+        with SweepWorkspace(TREMOLO, 'case = "case.toml"\n[axes]\nmotion.angle_deg = [0]\n') as work:
+            work.environment = self.slurm.environment
+            work.swept("--slurm", "", "--ranks", 2)
+            self.assertEqual(["complete"], [row["status"] for row in work.rows()])
+            self.assertIn("as 2 ranks", (work.out / "log/0001.txt").read_text())
 
     def test_acceptance_a_rank_that_dies_on_another_node_ends_the_job_with_its_name(self):
         before = len(self.runs())

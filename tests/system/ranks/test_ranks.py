@@ -13,11 +13,12 @@ import unittest
 from pathlib import Path
 
 TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
-sys.path[:0] = [str(SOURCE / "python"), *(str(Path(__file__).parents[1] / folder) for folder in ("resume", "structures"))]
+sys.path[:0] = [str(SOURCE / "python"), *(str(Path(__file__).parents[1] / folder) for folder in ("resume", "structures", "sweep"))]
 
 from broken_run import SlopeWorkspace, checkpoints, differences, with_checkpoints
 from processes import alive, children, ranks_below
 from small_case import SLOPE_BOXES, refine, subcycled
+from small_sweep import SweepWorkspace
 from structure_cases import AnchoredWorkspace
 
 
@@ -107,6 +108,30 @@ class Joined(unittest.TestCase):
 
     def test_acceptance_levels(self):
         self.give_the_bits_of_one(refine(SlopeWorkspace(TREMOLO, duration=0.5), *SLOPE_BOXES))
+
+
+@unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
+class OfASweep(unittest.TestCase):
+    """A sweep gives the ranks to each of its runs."""
+
+    STUDY = 'case = "case.toml"\n[axes]\nsoil.box.young = [40e6, 80e6]\n'
+
+    @unittest.skipIf(os.cpu_count() < 2, "one processor")
+    def test_they_give_the_table_of_one_process(self):
+        tables = []
+        for options in ([], ["--ranks", 2]):
+            with SweepWorkspace(TREMOLO, self.STUDY) as work:
+                work.swept(*options)
+                measures = [name for name in work.rows()[0] if name.startswith("surface.")]
+                tables.append([[row[name] for name in measures] for row in work.rows()])
+                self.assertEqual(bool(options), "as 2 ranks" in (work.out / "log/0001.txt").read_text())
+        self.assertEqual(*tables)
+
+    def test_a_run_that_they_cannot_share_is_refused_before_anything_is_written(self):
+        with SweepWorkspace(TREMOLO, self.STUDY + 'mesh.dispersion = ["plain", "reduced"]\n') as work:
+            done = work.sweep("--ranks", 2, "--slurm", "")
+            self.assertIn("--ranks 2: ranks cannot share a domain with reduced dispersion yet", done.stderr)
+            self.assertFalse(work.out.exists())
 
 
 class Refused(unittest.TestCase):
