@@ -22,7 +22,7 @@ public:
   /// Goes on to a time (s) in which the soil at the faces has moved with v (m/s), in a free field of then.
   std::span<const mpm_domain::SupportLoad> move(double time, std::span<const Vector> v,
                                                 std::span<eq6::FreeField> field) {
-    support_.exchange({domain_, domain_.workers, faces(), time, 0.0, v, v, v, field}, loads_);
+    support_.exchange({domain_, domain_.workers, faces(), {}, time, 0.0, v, v, v, field}, loads_);
     return loads_;
   }
 

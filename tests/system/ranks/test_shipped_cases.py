@@ -1,6 +1,6 @@
 """The shipped cases, coarse and shaken for a short time: the same bits with 2, 3, 4 and 8 ranks as with one process.
 
-    usage: test_shipped_cases.py TREMOLO SOURCE_DIR mpi|alone [RANKS ...]
+    usage: test_shipped_cases.py TREMOLO SOURCE_DIR mpi|alone [RANKS ...] [TEST ...]
 """
 
 import re
@@ -10,9 +10,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
+TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)).resolve(), sys.argv.pop(1)
 COUNTS = [int(word) for word in sys.argv[1:] if word.isdigit()] or [2, 3, 4, 8]
-del sys.argv[1:]
+sys.argv[1:] = [word for word in sys.argv[1:] if not word.isdigit()]
 sys.path[:0] = [str(SOURCE / "python"), str(Path(__file__).parents[1] / "recordings")]
 
 from recorded_case import differences
