@@ -2,7 +2,7 @@
 
 #include "scene/soils/plausible.hpp"
 
-#include "rules/rule_cases.hpp"
+#include "tests/unit/scene/rules/rule_cases.hpp"
 #include "scene/soils/soil_library.hpp"
 #include "tests/unit/scene/structure_case.hpp"
 
