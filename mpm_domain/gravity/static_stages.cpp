@@ -134,6 +134,7 @@ Reactions StaticStages::finish() {
   reactions.slipping_bodies = slipping_.value_or(std::vector<std::size_t>{});
   reactions.slipping = slipping_.has_value();
   reactions.cut = begin_history(*model_);
+  model_->contact.follow_particles(*model_); // surfaces of elastic bodies turn with the last stage, too
   reactions.ways = ways_;
   return reactions;
 }

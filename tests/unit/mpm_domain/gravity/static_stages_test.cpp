@@ -181,5 +181,23 @@ TEST(StaticStages, ShowStructuresWhereTheyHaveGone) {
   EXPECT_NEAR(last[0].y - placed[0].y, way, 0.1 * std::abs(way));
 }
 
+/// The first step meets the bodies where a step after a sort would.
+TEST(StaticStages, LeaveElasticBodiesTheSurfacesOfTheirParticles) {
+  const Site site;
+  Domain domain(site.spec);
+  StaticStages stages = site.walk(domain);
+  while (!stages.are_over())
+    stages.next();
+  stages.finish();
+  const mesh::Rectangle before = domain.contact.bounds(0);
+  domain.contact.follow_particles(domain);
+  const mesh::Rectangle after = domain.contact.bounds(0);
+  EXPECT_EQ(before.x_min, after.x_min);
+  EXPECT_EQ(before.x_max, after.x_max);
+  EXPECT_EQ(before.y_min, after.y_min);
+  EXPECT_EQ(before.y_max, after.y_max);
+  EXPECT_NE(after.x_max, -1.0); // it has moved
+}
+
 } // namespace
 } // namespace tremolo::mpm_domain
