@@ -67,7 +67,7 @@ class Attack:
     """One run; `folder` holds its case and its results."""
 
     def __init__(self, tremolo, *, template="slope", rogue=None, mode="window", window=64, connect=20.0, step=20.0, options=(), environment=None,
-                 preexec=None, out=None, more="", **changes):
+                 preexec=None, out=None, more="", change=None, **changes):
         self._temporary = tempfile.TemporaryDirectory(prefix="tf-")
         self.folder = Path(self._temporary.name)
         self.out = Path(out or self.folder / "run")
@@ -77,6 +77,8 @@ class Attack:
         text, defaults = ((small_case.SLOPE, small_case.SlopeWorkspace.defaults) if template == "slope" else
                           (small_case.CASE, small_case.DEFAULTS))
         text = text.format(**{**defaults, **changes}) + COUPLING.format(mode=mode, window=window, connect=connect, step=step) + more
+        if change is not None:
+            text = change(text)
         if rogue is not None:
             text = text.replace('left = { model = "wave" }',
                                 f'left = {{ model = "external", program = "{HERE / "rogue_source.py"}" }}')

@@ -19,8 +19,8 @@ NO_MPI = "not tried: this build has no MPI"
 class Timed:
     """A run of ranks that nobody disturbs: its results, and when its ranks are there, its first file, its last frames, and its end, s."""
 
-    def __init__(self, faults):
-        with RankAttack(faults.tremolo, 3) as run:
+    def __init__(self, faults, structures=False):
+        with RankAttack(faults.tremolo, 3, structures) as run:
             self.has_mpi = has_mpi(faults.tremolo, run.folder / "case.toml")
             if not self.has_mpi:
                 return
@@ -40,15 +40,16 @@ def is_of_ranks(fault):
     return fault.check.__module__ == __name__
 
 
-def timed(faults):
-    if not hasattr(faults, "ranks"):
-        faults.ranks = Timed(faults)
-    return faults.ranks
+def timed(faults, structures=False):
+    name = "ranks_with_structures" if structures else "ranks"
+    if not hasattr(faults, name):
+        setattr(faults, name, Timed(faults, structures))
+    return getattr(faults, name)
 
 
-def await_moment(faults, run, phase):
+def await_moment(faults, run, phase, structures=False):
     """A moment of the phase, by chance."""
-    whole, chance = timed(faults), faults.random
+    whole, chance = timed(faults, structures), faults.random
     until = lambda seconds: time.sleep(max(0.0, run.started + seconds - time.monotonic()))
     if phase == "start-up":
         await_until(lambda: run.ended() or "rank 0" in run.participants(), "a rank")
@@ -75,11 +76,11 @@ def name_of(victim, phase):
     return rf"{rank}|'domain' exited with code 137" if phase == "start-up" else rank
 
 
-def killed_once(faults, phase, count, victim):
+def killed_once(faults, phase, count, victim, structures=False):
     """SIGKILL to a rank or to mpirun; seconds until all are gone, and the number of ranks that went on, if a checkpoint was there.
     None if the run was over before."""
-    with RankAttack(faults.tremolo, count) as run:
-        await_moment(faults, run, phase)
+    with RankAttack(faults.tremolo, count, structures) as run:
+        await_moment(faults, run, phase, structures)
         pid = run.pid(victim)
         if pid is None or run.ended():
             return None
@@ -92,28 +93,37 @@ def killed_once(faults, phase, count, victim):
         others = None
         if run.checkpoints():
             others = faults.random.choice([ranks for ranks in (1, 2, 3, 4) if ranks != count])
-            run.resume(faults.tremolo, others, timed(faults).results)
+            run.resume(faults.tremolo, others, timed(faults, structures).results)
         return seconds, others
 
 
-def killed_by_chance(faults, phase):
+def killed_by_chance(faults, phase, structures=False):
     """Any rank of 2 to 4, or mpirun; tried until a living one is met."""
     for _ in range(20):
         count = faults.random.choice(RANKS)
         victim = faults.random.choice(["domain", *(f"rank {rank}" for rank in range(count))])
-        if found := killed_once(faults, phase, count, victim):
+        if found := killed_once(faults, phase, count, victim, structures):
             return found
     raise AssertionError(f"no rank could be caught in {phase}")
+
+
+def killed_in_phases(faults, structures=False):
+    if not timed(faults, structures).has_mpi:
+        return NO_MPI
+    measured = [killed_by_chance(faults, phase, structures) for phase in PHASES if phase != "leaving"]
+    resumed = sum(others is not None for _, others in measured)
+    return f"{len(measured)} of {len(measured)} within 2 s, {resumed} resumed with another number; the longest {max(s for s, _ in measured):.2f} s"
 
 
 @fault("kill -9 of a random rank of 2 to 4, or of mpirun, in its start, gravity stage, steps, a checkpoint",
        "all gone within 2 s, the victim named; others go on to the same bits")
 def killed_rank(faults):
-    if not timed(faults).has_mpi:
-        return NO_MPI
-    measured = [killed_by_chance(faults, phase) for phase in PHASES if phase != "leaving"]
-    resumed = sum(others is not None for _, others in measured)
-    return f"{len(measured)} of {len(measured)} within 2 s, {resumed} resumed with another number; the longest {max(s for s, _ in measured):.2f} s"
+    return killed_in_phases(faults)
+
+
+@fault("the same where a rigid and an elastic structure with a prop between them stand on the slope", "the same")
+def killed_rank_with_structures(faults):
+    return killed_in_phases(faults, structures=True)
 
 
 @fault("SIGSTOP of a rank for ever, step deadline 2 s", "ends 1 s after the deadline, the domain named; nothing of it is left")

@@ -12,15 +12,44 @@ from processes import alive, ranks_below, variable
 
 DURATION = 0.5  # s: some 270 steps
 CHECKPOINTS = '\n[checkpoint]\nevery_steps = 40\n'
+# A rigid block and an elastic wall on the crest of a wider slope, with a prop between them: the first rank has them.
+STRUCTURES = """
+[[structure]]
+name = "block"
+polygon = [[58.0, 7.0], [62.0, 7.0], [62.0, 10.0], [58.0, 10.0]]
+density = 1500.0
+rigid = true
+friction = 0.5
+
+[[structure]]
+name = "wall"
+polygon = [[65.0, 6.0], [67.0, 6.0], [67.0, 11.0], [65.0, 11.0]]
+density = 1700.0
+young = 40e6
+poisson = 0.2
+friction = 0.5
+
+[[prop]]
+name = "strut"
+from = { structure = "block", at = [62.0, 9.5] }
+to = { structure = "wall", at = [65.0, 9.5] }
+stiffness = 1e6
+"""
+
+
+def with_structures(text):
+    """The slope twice as wide, with structures."""
+    return text.replace("[40.0, ", "[80.0, ").replace(", 40.0, 8.0]", ", 80.0, 8.0]") + STRUCTURES
 
 
 class RankAttack(Attack):
     """A run of several ranks, one thread each; `rank 0`, `rank 1`, ... are participants, and `domain` is mpirun."""
 
-    def __init__(self, tremolo, ranks, **options):
+    def __init__(self, tremolo, ranks, structures=False, **options):
         self.count = ranks
         self._shared_memory = None
-        super().__init__(tremolo, more=CHECKPOINTS, options=of_ranks(ranks), **{"duration": DURATION, **options})
+        super().__init__(tremolo, more=CHECKPOINTS, options=of_ranks(ranks), change=with_structures if structures else None,
+                         **{"duration": DURATION, **options})
 
     def participants(self):
         super().participants()
