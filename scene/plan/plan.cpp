@@ -7,6 +7,7 @@
 #include "scene/plan/output/intervals.hpp"
 #include "scene/plan/output/output_size.hpp"
 #include "scene/plan/sources.hpp"
+#include "scene/plan/step/step_cost.hpp"
 #include "scene/plan/wet_soils.hpp"
 #include "scene/soils/domain_soils.hpp"
 #include "scene/soils/viscous_damping.hpp"
@@ -21,21 +22,7 @@ namespace tremolo::scene {
 
 namespace {
 
-// CPU time per particle and step, rounded, measured on one x86-64-v3 core with the two shipped cases;
-// plasticity where the soil yields.
-constexpr double base_cost_ns = 200.0;
-constexpr double box_cost_ns = 20.0;
-constexpr double dispersion_cost_ns = 30.0;
-constexpr double dilatation_cost_ns = 20.0;
-constexpr double plasticity_cost_ns = 60.0;
-constexpr double hysteresis_cost_ns = 210.0; // 32 parallel elements
-constexpr double damping_cost_ns = 10.0;
-constexpr double mechanism_cost_ns = 5.0; // of constant damping
-constexpr double pressure_cost_ns = 90.0;
-constexpr double flow_cost_ns = 150.0;
-constexpr double seepage_cost_ns = 25.0;
-constexpr double pressure_bytes = 24.0;    // while pressures are found
-constexpr double mobility_cost_ns = 400.0; // PM4Sand or PDMY03 at small strain increments
+constexpr double pressure_bytes = 24.0; // while pressures are found
 
 /// The soils of the domain whose law has a trait: "soil 'sand', soil 'clay'"; empty where there are none.
 template <typename Trait>
@@ -202,31 +189,32 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
   const bool seeps = scene.water && !scene.water->is_level();
   const double head_bytes = particle_bytes({.seeping = true}) - bare_bytes;
   return {
-      {"soil skeleton", true, "always: GIMP particles, plane strain", bare_bytes, base_cost_ns},
+      {"soil skeleton", true, "always: GIMP particles, plane strain", bare_bytes, cost::skeleton_ns},
       {"affine velocity", apic, fmt::format("[time] transfer = \"{}\"", name(scene.time.transfer)),
        apic ? affine_bytes : 0.0, 0.0},
       {"deforming boxes", deforming,
        fmt::format("[mesh] particle_boxes = \"{}\"", name(scene.mesh.particle_boxes)),
-       deforming ? box_bytes : 0.0, deforming ? box_cost_ns : 0.0},
+       deforming ? box_bytes : 0.0, deforming ? cost::boxes_ns : 0.0},
       {"reduced dispersion", sharp, fmt::format("[mesh] dispersion = \"{}\"", name(scene.mesh.dispersion)),
-       sharp ? sharp_bytes : 0.0, sharp ? dispersion_cost_ns : 0.0},
+       sharp ? sharp_bytes : 0.0, sharp ? cost::dispersion_ns : 0.0},
       {"gravity", scene.gravity.has_value(),
        scene.gravity ? fmt::format("[[stage]] gravity, {} m/s2, then static tractions on the boundary faces",
                                    scene.gravity->acceleration)
                      : "no [[stage]] of kind gravity"},
       {"plasticity", plastic, plastic ? plastic_soils : "no soil has a yield surface",
        plastic && !hysteretic && !liquefies ? 8.0 * state_size(scene) : 0.0,
-       plastic ? plasticity_cost_ns : 0.0},
+       cost::law_ns(scene, materials::Response::plastic)},
       {"hysteresis", hysteretic,
        hysteretic ? hysteretic_soils : "no soil has loops from the smallest strain on",
-       hysteretic && !liquefies ? 8.0 * state_size(scene) : 0.0, hysteretic ? hysteresis_cost_ns : 0.0},
+       hysteretic && !liquefies ? 8.0 * state_size(scene) : 0.0,
+       cost::law_ns(scene, materials::Response::hysteretic)},
       {"cyclic mobility", liquefies, liquefies ? liquefying_soils : "no soil is sand that liquefies",
-       liquefies ? 8.0 * state_size(scene) : 0.0, liquefies ? mobility_cost_ns : 0.0},
+       liquefies ? 8.0 * state_size(scene) : 0.0, cost::law_ns(scene, materials::Response::cyclic_mobility)},
       {"reconsolidation", scene.fastest_rest() != nullptr, rest_text(scene)},
       {"mean dilatation", by_cell,
        by_cell ? "soil that yields sees the mean change of volume of its cell"
                : "no soil yields, or [mesh] dilatation = \"particle\"",
-       by_cell ? 40.0 : 0.0, by_cell ? dilatation_cost_ns : 0.0},
+       by_cell ? 40.0 : 0.0, by_cell ? cost::dilatation_ns : 0.0},
       {"strain softening", softening,
        softening ? "a [soil] with softening > 0" : "no soil has softening > 0"},
       {"oblique incidence", scene.is_oblique(),
@@ -248,18 +236,18 @@ std::vector<Effect> plan_effects(const Case& scene, const std::vector<SourceProc
       {"viscous damping", damped,
        damped ? damped_soils + ", in the domain; shortens the step"
               : "no soil of the domain has viscous damping",
-       damped ? damped_bytes : 0.0, damped ? damping_cost_ns : 0.0},
+       damped ? damped_bytes : 0.0, damped ? cost::damping_ns : 0.0},
       {"constant damping", relaxes,
        relaxes ? relaxing_soils + ", in the domain" : "no soil of the domain is damped by mechanisms",
-       relaxes ? relaxing_bytes : 0.0, relaxes ? mechanism_cost_ns * scene.damping.band.mechanisms : 0.0},
+       relaxes ? relaxing_bytes : 0.0, relaxes ? cost::mechanism_ns * scene.damping.band.mechanisms : 0.0},
       {"pore pressure", wet, pressure_text(scene, flowing_soils, undrained_soils), wet ? wet_bytes : 0.0,
-       wet ? pressure_cost_ns : 0.0},
+       wet ? cost::pressure_ns : 0.0},
       {"flow of pore water", flows,
        flows ? flowing_soils + ": water has a velocity of its own" : "no soil of the domain lets water flow",
-       flows ? flow_bytes : 0.0, flows ? flow_cost_ns : 0.0},
+       flows ? flow_bytes : 0.0, flows ? cost::flow_ns : 0.0},
       {"seepage force", seeps,
        seeps ? table_text(*scene.water) : "no [water] line or seepage: one head everywhere",
-       seeps ? head_bytes : 0.0, seeps ? seepage_cost_ns : 0.0},
+       seeps ? head_bytes : 0.0, seeps ? cost::seepage_ns : 0.0},
       {"contact", !structures.empty(), contact_text(structures)},
       {"linings", !linings.empty(), linings_effect_text(linings)},
       {"props", !scene.props.empty(), props_effect_text(scene)},
@@ -339,7 +327,7 @@ Plan plan(const Case& scene) {
     ns += effect.ns_per_particle_step;
   }
   result.memory_bytes = particles * bytes + nodes * node_bytes(scene);
-  double step_ns = updates * ns;
+  double step_ns = updates * ns + cost::boundary_ns(scene);
   for (const PlannedStructure& structure : result.structures) {
     result.memory_bytes += structure.bytes;
     step_ns += structure.contact_nodes * contact_node_cost_ns;

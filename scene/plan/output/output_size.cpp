@@ -104,26 +104,6 @@ std::size_t points_of(const std::vector<Point>& corners, double spacing) {
   return corners.size() + static_cast<std::size_t>(perimeter(corners) / spacing);
 }
 
-/// Faces of the boundary, a particle long each, as many at most as if each edge had its finest cells all
-/// along.
-std::size_t most_faces(const Case& scene) {
-  const Box& box = scene.mesh.box;
-  const auto finest = [&](const Box& edge) {
-    int level = 0;
-    for (const Refinement& refine : scene.mesh.refine)
-      if (meet(edge, refine.box))
-        level = std::max(level, refine.level);
-    return mesh::cell_size(scene.mesh.size, level) / scene.mesh.particles_per_cell;
-  };
-  const double near = 4.0 * scene.mesh.size; // finer cells reach beyond their box by as much at most
-  const auto cells = [](double length, double size) {
-    return static_cast<std::size_t>(std::ceil(length / size));
-  };
-  return cells(box.height(), finest({box.x_min, box.y_min, box.x_min + near, box.y_max})) +
-         cells(box.height(), finest({box.x_max - near, box.y_min, box.x_max, box.y_max})) +
-         cells(box.width(), finest({box.x_min, box.y_min, box.x_max, box.y_min + near})) + 1;
-}
-
 double histories(const Case& scene, const Plan& plan) {
   const auto rows = static_cast<std::size_t>(most_rows(scene, plan.dt)); // the last moment's comes on top
   const auto table = [&](std::size_t columns) { return growing_table_bytes(columns, rows, name_bytes); };
@@ -192,6 +172,24 @@ double paraview_bytes(const Case& scene, const Plan& plan, double frames) {
 }
 
 } // namespace
+
+std::size_t most_faces(const Case& scene) {
+  const Box& box = scene.mesh.box;
+  const auto finest = [&](const Box& edge) {
+    int level = 0;
+    for (const Refinement& refine : scene.mesh.refine)
+      if (meet(edge, refine.box))
+        level = std::max(level, refine.level);
+    return mesh::cell_size(scene.mesh.size, level) / scene.mesh.particles_per_cell;
+  };
+  const double near = 4.0 * scene.mesh.size; // finer cells reach beyond their box by as much at most
+  const auto cells = [](double length, double size) {
+    return static_cast<std::size_t>(std::ceil(length / size));
+  };
+  return cells(box.height(), finest({box.x_min, box.y_min, box.x_min + near, box.y_max})) +
+         cells(box.height(), finest({box.x_max - near, box.y_min, box.x_max, box.y_max})) +
+         cells(box.width(), finest({box.x_min, box.y_min, box.x_max, box.y_min + near})) + 1;
+}
 
 double output_bytes(const Case& scene, const Plan& plan) {
   const double frames = static_cast<double>(plan.frames) + 1.0; // and the last moment's

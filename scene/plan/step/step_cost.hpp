@@ -1,0 +1,31 @@
+#pragma once
+
+// CPU time of a step of the domain, of one thread on one x86-64-v3 core: what a particle costs for each of
+// the effects that a case calls for, and what comes on top in every step,
+//
+//     t = sum over particles of ns + faces face_ns + ... .
+//
+// The numbers are those of the shipped cases (docs/performance.md, which compares estimate and run).
+
+#include "scene/case.hpp"
+
+namespace tremolo::scene::cost {
+
+// Of a particle, ns; those of laws stand in materials/cost/update_cost.hpp.
+inline constexpr double skeleton_ns = 70.0;
+inline constexpr double boxes_ns = 15.0;
+inline constexpr double dispersion_ns = 30.0;
+inline constexpr double dilatation_ns = 12.0;
+inline constexpr double damping_ns = 10.0;
+inline constexpr double mechanism_ns = 5.0; ///< of constant damping
+inline constexpr double pressure_ns = 30.0;
+inline constexpr double flow_ns = 50.0;
+inline constexpr double seepage_ns = 15.0;
+
+/// Of the law of soils with a kind of response, as a mean over all particles of the domain, ns.
+double law_ns(const Case& scene, materials::Response response);
+
+/// Of the boundary in a step, ns.
+double boundary_ns(const Case& scene);
+
+} // namespace tremolo::scene::cost
