@@ -11,7 +11,7 @@ struct Cost {
   double operator()(const MasingShear&) const { return 45.0; }
   double operator()(const IwanShear&) const { return 210.0; }
   double operator()(const MultiYieldClay&) const { return 210.0; }
-  double operator()(const Pm4Sand&) const { return 600.0; }
+  double operator()(const Pm4Sand&) const { return 450.0; }
   double operator()(const Pdmy03&) const { return 200.0; }
 };
 

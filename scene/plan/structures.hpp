@@ -22,7 +22,7 @@ struct PlannedStructure {
 };
 
 /// Cost of contact per node and step on one thread, ns; an order of magnitude.
-inline constexpr double contact_node_cost_ns = 6000.0;
+inline constexpr double contact_node_cost_ns = 3000.0;
 
 /// Outlines of all structures and linings that have one.
 std::vector<Polygon> outlines(const Case& scene);

@@ -12,14 +12,14 @@
 namespace tremolo::scene::cost {
 
 // Of a particle, ns; those of laws stand in materials/cost/update_cost.hpp.
-inline constexpr double skeleton_ns = 70.0;
+inline constexpr double skeleton_ns = 50.0;
 inline constexpr double boxes_ns = 15.0;
 inline constexpr double dispersion_ns = 30.0;
 inline constexpr double dilatation_ns = 12.0;
 inline constexpr double damping_ns = 10.0;
 inline constexpr double mechanism_ns = 5.0; ///< of constant damping
-inline constexpr double pressure_ns = 30.0;
-inline constexpr double flow_ns = 50.0;
+inline constexpr double pressure_ns = 25.0;
+inline constexpr double flow_ns = 30.0;
 inline constexpr double seepage_ns = 15.0;
 
 /// Of the law of soils with a kind of response, as a mean over all particles of the domain, ns.

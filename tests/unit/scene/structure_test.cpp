@@ -146,7 +146,7 @@ TEST(Structure, IsPlannedByItsWeight) {
   ASSERT_NE(contact, block.effects.end());
   EXPECT_TRUE(contact->on);
   EXPECT_EQ(contact->why,
-            "1 structure: 'block' 16000 kg/m, 157 kN/m; about 5 contact nodes (9 kB, about 30 us "
+            "1 structure: 'block' 16000 kg/m, 157 kN/m; about 5 contact nodes (9 kB, about 15 us "
             "a step); soil elsewhere pays nothing");
   EXPECT_EQ(block.particles, plan(parse_case(heavy())).particles);
   EXPECT_THAT(explain(scene, block),
@@ -158,7 +158,7 @@ TEST(Structure, IsPlannedByItsWeight) {
 
   const Plan flat = plan(parse_case(heavy()));
   EXPECT_EQ(block.memory_bytes - flat.memory_bytes, block.structures[0].bytes);
-  EXPECT_NEAR(block.estimated_time - flat.estimated_time, static_cast<double>(flat.steps) * 30e-6, 1e-9);
+  EXPECT_NEAR(block.estimated_time - flat.estimated_time, static_cast<double>(flat.steps) * 15e-6, 1e-9);
   EXPECT_FALSE(std::ranges::find(flat.effects, "contact", &Effect::name)->on);
   EXPECT_FALSE(nlohmann::json::parse(to_json(parse_case(heavy()), flat)).contains("structures"));
   EXPECT_THAT(explain(parse_case(heavy()), flat), Not(HasSubstr("\nStructures\n")));
