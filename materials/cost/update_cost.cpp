@@ -12,7 +12,7 @@ struct Cost {
   double operator()(const IwanShear&) const { return 210.0; }
   double operator()(const MultiYieldClay&) const { return 210.0; }
   double operator()(const Pm4Sand&) const { return 450.0; }
-  double operator()(const Pdmy03&) const { return 200.0; }
+  double operator()(const Pdmy03&) const { return 150.0; }
 };
 
 } // namespace
