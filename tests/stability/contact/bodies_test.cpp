@@ -266,6 +266,10 @@ INSTANTIATE_TEST_SUITE_P(Bodies, HardCase31Pounding, testing::Bool(),
 struct Rising {
   bool elastic;
   double end; ///< s
+
+  friend void PrintTo(const Rising& body, std::ostream* out) {
+    *out << (body.elastic ? "elastic" : "rigid") << " until " << body.end << " s";
+  }
 };
 
 class HardCase32LightBody : public testing::TestWithParam<Rising> {};
