@@ -89,11 +89,8 @@ void require_ranks(const Options& options, const scene::Study& study, const scen
                     options.ranks.count, study.file.string()));
   if (!options.slurm)
     check_ranks(given, options.ranks, true);
-  for (const SweepRun& run : runs) {
-    const auto scene = scene::parse(run.text, given.file, given.directory);
-    if (const std::string why = what_ranks_cannot_share(scene); !why.empty())
-      throw std::invalid_argument(fmt::format("--ranks {}: {}", options.ranks.count, why));
-  }
+  for (const SweepRun& run : runs)
+    require_shareable(scene::parse(run.text, given.file, given.directory), options.ranks);
 }
 
 void sweep(const Options& options) {

@@ -89,9 +89,8 @@ void start_waves(const scene::Case& scene, const scene::SourceProcess& source) {
     return;
   const wavefield::Superposition field = wavefield::field_from_case(scene, source);
   for (const wavefield::LayeredField& wave : field.waves()) {
-    const auto [lines, x, start, end] = scene::service(scene, source, wave.slowness_x());
-    wave.sample(std::array{wavefield::Point{x, source.surface}}, {start, end - start, 2},
-                wavefield::Part::total, {.displacement = false, .stress = false, .strain = false});
+    const scene::Service service = scene::service(scene, source, wave.slowness_x());
+    sample_surface(wave, {service.x_line, source.surface}, service.start_time, service.end_time, false);
   }
 }
 

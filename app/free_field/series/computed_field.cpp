@@ -103,8 +103,7 @@ public:
   }
 
   void try_surface(double y, double from, double to) const override {
-    field_.sample(std::array{wavefield::Point{x_, y}}, {from, to - from, 2}, wavefield::Part::total,
-                  {.displacement = true, .stress = false, .strain = false});
+    sample_surface(field_, {x_, y}, from, to, true);
   }
 
 private:

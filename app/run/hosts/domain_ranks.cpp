@@ -134,6 +134,10 @@ void check_ranks(const scene::Case& scene, const DomainRanks& ranks, bool local)
   }
   if (start == StartRanksBy::slurm)
     require_job(ranks);
+  require_shareable(scene, ranks);
+}
+
+void require_shareable(const scene::Case& scene, const DomainRanks& ranks) {
   if (const auto reason = what_ranks_cannot_share(scene); !reason.empty())
     throw std::invalid_argument(fmt::format("--ranks {}: {}", ranks.count, reason));
 }

@@ -11,7 +11,7 @@
 
 namespace tremolo::scene::cost {
 
-// Of a particle, ns; those of laws stand in materials/cost/update_cost.hpp.
+// What each effect costs for a particle, ns; materials/cost/update_cost.hpp has what laws cost.
 inline constexpr double skeleton_ns = 50.0;
 inline constexpr double boxes_ns = 15.0;
 inline constexpr double dispersion_ns = 30.0;
@@ -22,10 +22,10 @@ inline constexpr double pressure_ns = 25.0;
 inline constexpr double flow_ns = 30.0;
 inline constexpr double seepage_ns = 15.0;
 
-/// Of the law of soils with a kind of response, as a mean over all particles of the domain, ns.
+/// What the laws of soils with a kind of response cost, ns, as a mean over all particles of the domain.
 double law_ns(const Case& scene, materials::Response response);
 
-/// Of the boundary in a step, ns.
+/// What the boundary costs in a step, ns.
 double boundary_ns(const Case& scene);
 
 } // namespace tremolo::scene::cost

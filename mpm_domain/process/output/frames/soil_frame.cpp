@@ -144,7 +144,8 @@ struct Column {
   ValuesOfSet values;
 };
 
-/// Those of a table of particle fields that frames show, but for the velocity, which is that of the snapshot.
+/// Finds the arrays that the table of particle fields gives to frames. The velocity is not among them, since
+/// frames show that of the snapshot.
 std::vector<Column> carried_columns(const Domain& domain, const scene::Case& scene) {
   struct Named {
     std::string name, unit;
