@@ -3,6 +3,7 @@
 #include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
+#include "mpm_domain/ranks/passed_state.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -37,6 +38,17 @@ void follow_structures(Domain& domain) {
   domain.share->ranks->follow_first(numbers);
   for (std::size_t b = 0; b < boxes.size(); ++b)
     boxes[b] = {numbers[4 * b], numbers[4 * b + 1], numbers[4 * b + 2], numbers[4 * b + 3]};
+}
+
+/// After particles have come to other ranks in the order of the last sort.
+void follow_change_of_owners(Domain& domain) {
+  std::vector<int> levels; // as of the last sort, since which particles have moved
+  for (const BoundaryFace& face : domain.boundary.faces())
+    levels.push_back(face.level);
+  domain.boundary.follow_sort(domain);
+  for (std::size_t f = 0; f < levels.size(); ++f)
+    domain.boundary.faces()[f].level = levels[f];
+  find_reach(domain);
 }
 
 } // namespace
@@ -75,13 +87,20 @@ void make_room(Domain& domain, double time, long step) {
 
 void share_out(Domain& domain, Communicator& ranks) {
   keep_own_particles(domain, ranks, boxes_of_structures(domain));
-  std::vector<int> levels; // as of the last sort, since which particles have moved
-  for (const BoundaryFace& face : domain.boundary.faces())
-    levels.push_back(face.level);
-  domain.boundary.follow_sort(domain);
-  for (std::size_t f = 0; f < levels.size(); ++f)
-    domain.boundary.faces()[f].level = levels[f];
-  find_reach(domain);
+  follow_change_of_owners(domain);
+}
+
+void make_whole(Domain& domain) {
+  PassedState structures;
+  domain.contact.save(structures);
+  domain.linings.save(structures);
+  domain.props.save(structures);
+  structures.follow_first(*domain.share->ranks);
+  make_whole(static_cast<Ground&>(domain));
+  domain.contact.restore(structures);
+  domain.linings.restore(structures);
+  domain.props.restore(structures);
+  follow_change_of_owners(domain);
 }
 
 } // namespace tremolo::mpm_domain

@@ -47,4 +47,7 @@ void make_room(Domain& domain, double time, long step);
 /// @throws std::invalid_argument as require_shareable() does (particles/share_out.hpp)
 void share_out(Domain& domain, Communicator& ranks);
 
+/// Gives every rank the whole domain, structures as the first one has them.
+void make_whole(Domain& domain);
+
 } // namespace tremolo::mpm_domain

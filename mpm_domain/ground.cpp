@@ -234,6 +234,22 @@ std::vector<std::size_t> filled_tiles(const Ground& ground, int clock) {
   return filled;
 }
 
+/// Those of other ranks.
+/// @param own  those of this one
+std::vector<std::size_t> filled_by_others(const Ground& ground, std::span<const std::size_t> own) {
+  std::vector<std::size_t> others;
+  if (!ground.share)
+    return others;
+  std::vector<std::int64_t> is_filled(ground.tiles.count(), 0);
+  for (const std::size_t tile : own)
+    is_filled[tile] = 1;
+  ground.share->ranks->add(is_filled);
+  for (std::size_t tile = 0; tile < is_filled.size(); ++tile)
+    if (is_filled[tile] > 0 && !ground.share->is_mine(tile))
+      others.push_back(tile);
+  return others;
+}
+
 std::vector<AcrossTile> find_across(Ground& ground, int clock) {
   std::vector<AcrossTile> across;
   for (std::size_t s = 0; s < ground.sets.size(); ++s)
@@ -258,10 +274,13 @@ std::vector<AcrossTile> find_across(Ground& ground, int clock) {
 void find_reach(Ground& ground, std::span<const std::size_t> shared_nodes) {
   ground.windows.reserve(2 * ground.tiles.most_columns()); // those of two rows of tiles are in use at a time
   ground.clock_tiles.clear();
-  for (int clock = 0; clock < ground.clocks.count(); ++clock)
+  for (int clock = 0; clock < ground.clocks.count(); ++clock) {
+    std::vector<std::size_t> filled = filled_tiles(ground, clock);
+    const std::vector<std::size_t> of_others = filled_by_others(ground, filled);
     ground.clock_tiles.push_back(
-        {TileSums(ground.tiles, filled_tiles(ground, clock), ground.share ? &*ground.share : nullptr),
+        {TileSums(ground.tiles, std::move(filled), ground.share ? &*ground.share : nullptr, of_others),
          ground.mesh ? find_across(ground, clock) : std::vector<AcrossTile>{}});
+  }
   ground.soil_rows = find_soil_rows(ground, shared_nodes);
   ground.soil_ties = find_soil_ties(ground);
   ground.image_rows = rows_of_images(ground.ties(), ground.soil_ties);

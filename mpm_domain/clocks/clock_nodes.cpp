@@ -1,5 +1,7 @@
 #include "mpm_domain/clocks/clock_nodes.hpp"
 
+#include "mpm_domain/tiles/totals.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -109,7 +111,24 @@ ClockNodes::ClockNodes(const Ground& ground) : ties_(static_cast<std::size_t>(gr
   }
   for (std::vector<std::size_t>& rows : ties_)
     std::ranges::sort(rows);
+  take_clocks_of_all(ground);
   collect(ground);
+}
+
+/// Ranks that share the ground compute nodes, at the boundary, that only particles of others touch.
+void ClockNodes::take_clocks_of_all(const Ground& ground) {
+  if (!ground.share)
+    return;
+  const auto beyond_all = static_cast<std::uint32_t>(ties_.size() + 1);
+  std::vector<double> largest;
+  for (std::size_t n = 0; n < clock_.size(); ++n)
+    for (const std::uint32_t number : {clock_[n], slowest_[n] > 0 ? beyond_all - slowest_[n] : 0U})
+      largest.push_back(number);
+  take_largest(ground, largest);
+  for (std::size_t n = 0; n < clock_.size(); ++n) {
+    clock_[n] = static_cast<std::uint32_t>(largest[2 * n]);
+    slowest_[n] = clock_[n] > 0 ? beyond_all - static_cast<std::uint32_t>(largest[2 * n + 1]) : 0U;
+  }
 }
 
 void ClockNodes::require_fit(const Ground& ground) const {
@@ -138,9 +157,8 @@ void ClockNodes::collect(const Ground& ground) {
         runs.push_back({begin, n});
     }
   };
-  for (std::size_t r = 0; r < ground.row_count(); ++r)
+  for (const NodeRange& row : ground.soil_rows)
     for (std::size_t clock = 0; clock < clocks; ++clock) {
-      const NodeRange row = ground.row(r);
       add_runs(
           row, [&](std::size_t n) { return clock_[n] == clock + 1; }, of_[clock]);
       add_runs(

@@ -53,6 +53,7 @@ public:
 private:
   class Builder;
   void require_fit(const Ground& ground) const;
+  void take_clocks_of_all(const Ground& ground);
   void collect(const Ground& ground);
 
   std::vector<std::uint32_t> clock_;   ///< 1 + the clock, or 0; empty with one clock

@@ -111,15 +111,17 @@ std::vector<Pass> earthwork_passes(Ground& ground, const Earthworks& earthworks)
                             }},
                            {Phase::books, "", [&, share](Step& step) {
                               if (const double held = share(step); held > 0.0) {
-                                const double work =
-                                    step.kicks.front() * earthworks.held().power(ground, held);
-                                step.bookings.add([&energy = step.energy, work] { energy.static_ += work; });
+                                step.bookings.add(
+                                    earthworks.held().power(ground, held),
+                                    [&energy = step.energy, kick = step.kicks.front()](const auto& power) {
+                                      energy.static_ += kick * power[0];
+                                    });
                               }
                             }}};
   if (ground.is_remapped())
     passes.push_back({Phase::remap, "", [&, share](Step& step) {
                         if (const double held = share(step); held > 0.0)
-                          step.remap_power[0][0].add(earthworks.held().remap_power(ground, held));
+                          step.remap_power[0][0] += earthworks.held().remap_power(ground, held)[0];
                       }});
   return passes;
 }

@@ -63,24 +63,29 @@ void HeldForces::act(Ground& ground, double share) const {
   });
 }
 
-double HeldForces::power(const Ground& ground, double share) const {
-  const Grid& grid = ground.grid;
-  double power = 0.0;
+/// @param power_on  (node, force) of a node, W/m
+template <class PowerOn>
+ExactSums<1> HeldForces::sum_over_nodes(const Ground& ground, double share, const PowerOn& power_on) const {
+  ExactSums<1> power;
   over_nodes(ground, share, [&](std::size_t n, const Vector& force) {
-    power += 0.5 * (force.x * (grid.vx_before[n] + grid.vx_after[n]) +
-                    force.y * (grid.vy_before[n] + grid.vy_after[n]));
+    if (ground.counts({n, n + 1}))
+      power[0].add(power_on(n, force));
   });
   return power;
 }
 
-double HeldForces::remap_power(const Ground& ground, double share) const {
-  const Grid& grid = ground.grid;
-  double power = 0.0;
-  over_nodes(ground, share, [&](std::size_t n, const Vector& force) {
-    power +=
-        force.x * (grid.vx_strain[n] - grid.vx_after[n]) + force.y * (grid.vy_strain[n] - grid.vy_after[n]);
+ExactSums<1> HeldForces::power(const Ground& ground, double share) const {
+  return sum_over_nodes(ground, share, [&grid = ground.grid](std::size_t n, const Vector& force) {
+    return 0.5 * (force.x * (grid.vx_before[n] + grid.vx_after[n]) +
+                  force.y * (grid.vy_before[n] + grid.vy_after[n]));
   });
-  return power;
+}
+
+ExactSums<1> HeldForces::remap_power(const Ground& ground, double share) const {
+  return sum_over_nodes(ground, share, [&grid = ground.grid](std::size_t n, const Vector& force) {
+    return force.x * (grid.vx_strain[n] - grid.vx_after[n]) +
+           force.y * (grid.vy_strain[n] - grid.vy_after[n]);
+  });
 }
 
 std::vector<double> HeldForces::state() const {

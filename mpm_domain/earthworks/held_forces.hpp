@@ -13,6 +13,7 @@
 // stays when the grid grows.
 
 #include "mpm_domain/ground.hpp"
+#include "mpm_domain/ranks/exact_sum.hpp"
 
 #include <array>
 #include <map>
@@ -39,11 +40,12 @@ public:
 
   /// Adds a share (1) of the forces to those of the nodes.
   void act(Ground& ground, double share) const;
-  /// Power of that share on the mean of velocities before and after the last update, W/m.
-  double power(const Ground& ground, double share) const;
+  /// Power of that share on the mean of velocities before and after the last update, W/m, at the nodes that
+  /// count on this rank.
+  ExactSums<1> power(const Ground& ground, double share) const;
   /// Power of that share on what the velocity that strains the soil differs by from that after the update,
-  /// W/m.
-  double remap_power(const Ground& ground, double share) const;
+  /// W/m, at these nodes.
+  ExactSums<1> remap_power(const Ground& ground, double share) const;
 
   /// State for a checkpoint, and its restoration.
   std::vector<double> state() const;
@@ -52,6 +54,8 @@ public:
 private:
   template <class Act>
   void over_nodes(const Ground& ground, double share, const Act& act) const;
+  template <class PowerOn>
+  ExactSums<1> sum_over_nodes(const Ground& ground, double share, const PowerOn& power_on) const;
 
   std::map<PositionInModel, Vector> forces_; ///< c, N/m
 };

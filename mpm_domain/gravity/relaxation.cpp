@@ -7,6 +7,7 @@
 #include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/step/time_step.hpp"
 #include "mpm_domain/strain/relaxation_stress.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 #include "mpm_domain/transfer/sharp_transfer.hpp"
@@ -61,7 +62,7 @@ private:
 
 } // namespace
 
-Relaxation::Relaxation(Domain& domain) : domain_(domain) {
+Relaxation::Relaxation(Domain& domain) : domain_(domain), has_structures_(domain.has_structures_here()) {
   for (Particles& set : domain.sets) {
     laws_.push_back(set.law);
     set.law = materials::without_softening(set.law);
@@ -79,13 +80,16 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain) {
     find_fullness(domain);
   if (domain.has_seepage())
     scatter_seepage(domain, domain.soil_rows, domain.soil_ties);
-  domain.contact.begin_rest(domain);
-  domain.linings.begin_rest(domain);
+  if (has_structures_) {
+    domain.contact.begin_rest(domain);
+    domain.linings.begin_rest(domain);
+  }
   for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
     std::fill(velocity->begin(), velocity->end(), 0.0);
   find_supports();
   const double depth = domain.spec.box.y_max - domain.spec.box.y_min;
   double slowest = domain.fastest_wave();
+  take_largest(domain, {&slowest, 1});
   for (const Particles& set : domain.sets)
     slowest = std::min(slowest, materials::elasticity(set.law).s_wave_speed());
   alpha_ = std::numbers::pi * slowest / depth;
@@ -95,6 +99,13 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain) {
 void Relaxation::find_supports() {
   const std::vector<unsigned char> none(domain_.grid.size(), 0);
   supports_ = {none, none, none, none, none};
+  if (has_structures_)
+    find_met_nodes();
+  for (int level = 0; level < domain_.lattice_count(); ++level)
+    find_supports(domain_.lattice(level));
+}
+
+void Relaxation::find_met_nodes() {
   for (std::size_t b = 0; b < domain_.contact.bodies().size(); ++b)
     for (const ContactNode& contact : domain_.contact.nodes(b)) {
       supports_.met[contact.node] = 1;
@@ -105,8 +116,6 @@ void Relaxation::find_supports() {
     for (const SegmentRows& rows : lining.rows())
       for (const NodeShare& of_node : rows.soil)
         supports_.met[of_node.node] = 1;
-  for (int level = 0; level < domain_.lattice_count(); ++level)
-    find_supports(domain_.lattice(level));
 }
 
 void Relaxation::find_supports(const Lattice& lattice) {
@@ -146,6 +155,8 @@ void Relaxation::find_forces() {
   domain_.is_sharp() ? scatter_sharp_forces(domain_) : scatter(domain_, ScatterPart::force);
   if (domain_.has_seepage())
     add_seepage(domain_, domain_.soil_rows);
+  if (!has_structures_)
+    return;
   domain_.loads.add(domain_.grid);
   add_loads(domain_.contact, domain_);
   domain_.props.act(domain_, domain_.contact);
@@ -153,15 +164,21 @@ void Relaxation::find_forces() {
 
 std::vector<Vector> Relaxation::forces() {
   find_forces();
+  std::vector<double> x(domain_.grid.force_x.begin(), domain_.grid.force_x.end());
+  std::vector<double> y(domain_.grid.force_y.begin(), domain_.grid.force_y.end());
+  take_nodes_of_all(domain_, x);
+  take_nodes_of_all(domain_, y);
   std::vector<Vector> forces(domain_.grid.size());
   for (std::size_t n = 0; n < forces.size(); ++n)
-    forces[n] = {domain_.grid.force_x[n], domain_.grid.force_y[n]};
+    forces[n] = {x[n], y[n]};
   return forces;
 }
 
 /// Adds what is left of c.
 void Relaxation::add_held(double share) {
   for (std::size_t n = 0; n < held_.size(); ++n) {
+    if (!supports_.full[n])
+      continue; // no soil is there to be held, and nothing would take the force away again
     domain_.grid.force_x[n] += (1.0 - share) * held_[n].x;
     domain_.grid.force_y[n] += (1.0 - share) * held_[n].y;
   }
@@ -173,25 +190,30 @@ double Relaxation::relax_grid(bool bonded) {
   Grid& grid = domain_.grid;
   const double keep = (1.0 - 0.5 * alpha_ * dt_) / (1.0 + 0.5 * alpha_ * dt_);
   const double gain = kick();
-  double unbalanced = 0.0;
-  double applied = 0.0;
-  for (std::size_t n = 0; n < grid.size(); ++n) {
-    if (!supports_.full[n])
-      continue;
-    const double m = grid.mass[n];
-    const Vector v = grid.velocity_after(n);
-    const double fx = supports_.fixed_x[n] ? 0.0 : grid.force_x[n];
-    const double fy = supports_.fixed_y[n] ? 0.0 : grid.force_y[n];
-    grid.vx_after[n] = supports_.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
-    grid.vy_after[n] = supports_.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
-    if (!supports_.met[n] && !supports_.skin[n])
-      unbalanced += fx * fx + fy * fy;
-    applied += m * m * domain_.spec.gravity * domain_.spec.gravity;
-  }
-  if (domain_.contact.any())
-    unbalanced += domain_.contact.relax(domain_, keep, gain, bonded, supports_.skin);
-  unbalanced += domain_.linings.relax(domain_, keep, gain, dt_, bonded, supports_.skin);
-  return std::sqrt(unbalanced / applied);
+  ExactSums<2> squares = sum_over_rows<2>(domain_, domain_.soil_rows, [&](const NodeRange& nodes) {
+    double unbalanced = 0.0;
+    double applied = 0.0;
+    for (std::size_t n = nodes.begin; n < nodes.end; ++n) {
+      if (!supports_.full[n])
+        continue;
+      const double m = grid.mass[n];
+      const Vector v = grid.velocity_after(n);
+      const double fx = supports_.fixed_x[n] ? 0.0 : grid.force_x[n];
+      const double fy = supports_.fixed_y[n] ? 0.0 : grid.force_y[n];
+      grid.vx_after[n] = supports_.fixed_x[n] ? 0.0 : keep * v.x + gain * fx / m;
+      grid.vy_after[n] = supports_.fixed_y[n] ? 0.0 : keep * v.y + gain * fy / m;
+      if (!supports_.met[n] && !supports_.skin[n])
+        unbalanced += fx * fx + fy * fy;
+      applied += m * m * domain_.spec.gravity * domain_.spec.gravity;
+    }
+    return std::array{unbalanced, applied};
+  });
+  if (has_structures_ && domain_.contact.any())
+    squares[0].add(domain_.contact.relax(domain_, keep, gain, bonded, supports_.skin));
+  if (has_structures_ && domain_.linings.any())
+    squares[0].add(domain_.linings.relax(domain_, keep, gain, dt_, bonded, supports_.skin));
+  add_over_ranks(domain_, squares);
+  return std::sqrt(squares[0].value() / squares[1].value());
 }
 
 /// Strains soil by the velocity of the nodes.
@@ -248,7 +270,8 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
       return relaxed;
     }
     add_way();
-    domain_.props.follow_velocity(domain_, domain_.contact, dt_);
+    if (has_structures_)
+      domain_.props.follow_velocity(domain_, domain_.contact, dt_);
     strain(undrained);
   }
 }
@@ -295,12 +318,31 @@ void Relaxation::take_way_as_displacement() {
 }
 
 Reactions Relaxation::reactions() const {
-  Reactions reactions = held_by_;
-  reactions.force.assign(domain_.grid.size(), Vector{});
-  for (const std::size_t n : reactions.base)
-    reactions.force[n] = {-domain_.grid.force_x[n], -domain_.grid.force_y[n]};
-  for (const std::size_t n : reactions.sides)
-    reactions.force[n] = {-domain_.grid.force_x[n], 0.0};
+  const Grid& grid = domain_.grid;
+  std::vector<double> is_base(grid.size(), 0.0);
+  std::vector<double> is_side(grid.size(), 0.0);
+  std::vector<double> x(grid.size(), 0.0);
+  std::vector<double> y(grid.size(), 0.0);
+  for (const std::size_t n : held_by_.base) {
+    is_base[n] = 1.0;
+    x[n] = -grid.force_x[n];
+    y[n] = -grid.force_y[n];
+  }
+  for (const std::size_t n : held_by_.sides) {
+    is_side[n] = 1.0;
+    x[n] = -grid.force_x[n];
+  }
+  for (std::vector<double>* const of_nodes : {&is_base, &is_side, &x, &y})
+    take_nodes_of_all(domain_, *of_nodes);
+  Reactions reactions;
+  reactions.force.resize(grid.size());
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    reactions.force[n] = {x[n], y[n]};
+    if (is_base[n] != 0.0)
+      reactions.base.push_back(n);
+    if (is_side[n] != 0.0)
+      reactions.sides.push_back(n);
+  }
   return reactions;
 }
 

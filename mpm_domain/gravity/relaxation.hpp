@@ -7,6 +7,8 @@
 // with base nodes fixed and side nodes free along the side. c_i is a load that holds the nodes at first and
 // goes to zero as s goes to 1; loads and weights that come onto the ground grow with s.
 //
+// Ranks may share the domain; structures, linings, props and loads on the surface are then with the first.
+//
 // Soil carries no more than its strength, but does not soften. Structures stick to the soil where they are
 // bonded. Where pore water cannot drain, its pressure follows the change of volume (water/pore_pressure.hpp);
 // elsewhere it stays what it is.
@@ -46,7 +48,7 @@ public:
 
   /// Gives the nodes the forces of soil, elastic bodies and loads as they are, without contact.
   void find_forces();
-  /// These forces, N/m.
+  /// These forces, N/m, on the nodes of all ranks.
   std::vector<Vector> forces();
   /// Sets the load c that holds the nodes until something has grown.
   void hold(std::vector<Vector> load) { held_ = std::move(load); }
@@ -65,7 +67,7 @@ public:
 
   /// Gives laws and damping back what they have lost, and particles their displacement.
   void finish();
-  /// Reactions of the constraints at the end.
+  /// Reactions of the constraints at the end, on the nodes of all ranks.
   Reactions reactions() const;
 
 private:
@@ -78,6 +80,7 @@ private:
 
   void find_supports();
   void find_supports(const Lattice& lattice);
+  void find_met_nodes();
   void find_skin(double cells);
   void add_held(double share);
   double relax_grid(bool bonded);
@@ -86,6 +89,7 @@ private:
   void take_way_as_displacement();
 
   Domain& domain_;
+  bool has_structures_;               ///< this rank computes them
   std::vector<materials::Law> laws_;  ///< by set, with their softening
   std::vector<ParticleFields> given_; ///< by set: volumes and boxes, which stay
   Supports supports_;

@@ -2,6 +2,8 @@
 
 #include "mpm_domain/gravity/construction.hpp"
 #include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/ranks/passed_state.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <fmt/format.h>
 
@@ -46,14 +48,18 @@ std::optional<std::vector<std::size_t>> release(Domain& domain, Relaxation& rela
   const Props bonded_props = domain.props;
   std::optional<std::vector<std::size_t>> moving;
   if (!(relaxation.run(released, progress).residual < course.residual)) {
-    moving = moving_bodies(domain);
+    moving.emplace();
+    if (domain.has_structures_here())
+      moving = moving_bodies(domain);
     domain.sets = bonded;
     domain.linings = bonded_linings;
     domain.props = bonded_props;
     relaxation.find_forces();
   }
-  domain.contact.end_rest();
-  domain.linings.end_rest();
+  if (domain.has_structures_here()) {
+    domain.contact.end_rest();
+    domain.linings.end_rest();
+  }
   return moving;
 }
 
@@ -92,8 +98,9 @@ StaticStage& StaticStage::operator=(StaticStage&& other) noexcept = default;
 StaticStage::~StaticStage() = default;
 
 StaticStages::StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
-                           StageProgress progress)
-    : end_(end), gravity_(gravity), stages_(then.begin(), then.end()), progress_(std::move(progress)) {
+                           StageProgress progress, Communicator* ranks)
+    : end_(end), gravity_(gravity), stages_(then.begin(), then.end()), progress_(std::move(progress)),
+      ranks_(ranks) {
   if (!(end.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", end.spec.gravity));
@@ -204,12 +211,43 @@ void StaticStages::end_stage() {
   forces_ = relaxation_->forces();
   ++over_;
   of_going_.assign(model_->contact.bodies().size(), {});
-  for (const std::size_t structure : structures_that_go())
+  for (const std::size_t structure :
+       model_->has_structures_here() ? structures_that_go() : std::vector<std::size_t>{})
     model_->contact.add_forces_of(structure, relaxation_->kick(), forces_, of_going_);
   ways_ = ways();
   model_->props.lock();
   relaxation_->finish();
   relaxation_.reset();
+  if (ranks_ != nullptr)
+    gather_model();
+}
+
+/// Every rank has the whole model, and what the first one has found of structures.
+void StaticStages::gather_model() {
+  PassedState of_first;
+  save_result(of_first);
+  const bool slips = slipping_.has_value();
+  std::vector<std::uint64_t> slipping;
+  if (slips)
+    slipping.assign(slipping_->begin(), slipping_->end());
+  of_first.write("slipping", slipping);
+  of_first.follow_first(*ranks_);
+  restore_result(of_first);
+  if (slips)
+    read_integers(of_first, "slipping", *slipping_);
+  make_whole(*model_);
+}
+
+/// Likewise after a stage that has found no rest, with the velocity with which nodes go on.
+void StaticStages::gather_at_failure() {
+  Grid& grid = model_->grid;
+  std::vector<double> vx(grid.vx_after.begin(), grid.vx_after.end());
+  std::vector<double> vy(grid.vy_after.begin(), grid.vy_after.end());
+  take_nodes_of_all(*model_, vx);
+  take_nodes_of_all(*model_, vy);
+  make_whole(*model_);
+  std::ranges::copy(vx, grid.vx_after.begin());
+  std::ranges::copy(vy, grid.vy_after.begin());
 }
 
 /// The model of the stages from one of stages_ on, up to the next construction; nothing: it is that of the
@@ -244,7 +282,10 @@ void StaticStages::begin_model(std::size_t first) {
 
 void StaticStages::begin_relaxation() {
   slipping_.reset();
-  find_reach(*model_); // surfaces of elastic bodies turn with them
+  if (ranks_ != nullptr)
+    share_out(*model_, *ranks_);
+  else
+    find_reach(*model_); // surfaces of elastic bodies turn with them
   relaxation_.emplace(*model_);
 }
 
@@ -256,8 +297,14 @@ void StaticStages::act_with_loads(std::size_t stage) {
         load != nullptr &&
         load->load < (load->on_structure ? spec.structure_loads.size() : spec.loads.size()))
       scale(*load, s < stage ? 1.0 : 0.0);
-  model_->loads.follow(*model_);
+  follow_loads();
   weigh_structures();
+}
+
+/// Brings the loads on the surface to where the soil is, on the rank that has it.
+void StaticStages::follow_loads() {
+  if (model_->has_structures_here())
+    model_->loads.follow(*model_);
 }
 
 void StaticStages::weigh_structures() {
@@ -269,7 +316,7 @@ void StaticStages::weigh_structures() {
 void StaticStages::scale(const LoadSettings& load, double share) {
   if (!load.on_structure) {
     model_->loads.scale(load.load, share);
-    model_->loads.follow(*model_);
+    follow_loads();
     return;
   }
   model_->contact.structure_loads().scale(load.load, share);
@@ -287,13 +334,15 @@ std::string StaticStages::description(const LoadSettings& load) const {
 Relaxed StaticStages::run(const Course& course, const std::string& what, const std::string& why) {
   const Relaxed relaxed =
       relaxation_->run(course, [this](long step, double residual) { progress_(over_, step, residual); });
-  if (!(relaxed.residual < course.residual))
-    throw NotAtRest(fmt::format("{}: residual {:.3g} after {:.3g} s of relaxation, wanted {:.3g}; {}", what,
-                                relaxed.residual,
-                                static_cast<double>(relaxed.step - course.first) * relaxation_->step(),
-                                course.residual, why),
-                    over_, own_);
-  return relaxed;
+  if (relaxed.residual < course.residual)
+    return relaxed;
+  if (ranks_ != nullptr)
+    gather_at_failure();
+  throw NotAtRest(fmt::format("{}: residual {:.3g} after {:.3g} s of relaxation, wanted {:.3g}; {}", what,
+                              relaxed.residual,
+                              static_cast<double>(relaxed.step - course.first) * relaxation_->step(),
+                              course.residual, why),
+                  over_, own_);
 }
 
 void StaticStages::end_bonds(const Course& course, const Relaxed& rest) {

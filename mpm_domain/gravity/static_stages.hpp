@@ -8,6 +8,8 @@
 //
 // from which a construction goes on. Nothing else outlives a stage, so that a walk which is given this of
 // another one goes on with the same bits. It can therefore be broken off after any stage.
+//
+// Ranks share the model during a stage, with the same bits, and each has the whole of it between two.
 
 #include "mpm_domain/fields/stages_over.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
@@ -31,9 +33,10 @@ public:
   /// @param end   the model after the last stage, to which all of them happen where none is a construction;
   ///              outlives this
   /// @param then  the stages after gravity
+  /// @param ranks those that share the work, all with the same arguments; null: one process. It outlives this
   /// @throws std::invalid_argument for a model without weight
   StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
-               StageProgress progress);
+               StageProgress progress, Communicator* ranks = nullptr);
 
   /// Number of completed stages; gravity is the first.
   std::size_t over() const { return over_; }
@@ -56,18 +59,7 @@ public:
   void save(Writer& to) const {
     to.write(stages_over_name, std::vector<std::uint64_t>{over_});
     to.write("static.disturbed", std::vector<double>{disturbed_ ? 1.0 : 0.0});
-    std::vector<double> numbers;
-    for (const Vector& force : forces_)
-      numbers.insert(numbers.end(), {force.x, force.y});
-    to.write("static.forces", numbers);
-    numbers.clear();
-    for (const RigidLoad& load : of_going_)
-      numbers.insert(numbers.end(), {load.force.x, load.force.y, load.moment});
-    to.write("static.loads", numbers);
-    numbers.clear();
-    for (const StructureWay& structure : ways_)
-      numbers.insert(numbers.end(), {structure.way.x, structure.way.y, structure.turn});
-    to.write("static.ways", numbers);
+    save_result(to);
     mpm_domain::save(*model_, to);
   }
 
@@ -80,10 +72,8 @@ public:
     disturbed_ = numbers_of_size(from, "static.disturbed", 1).front() != 0.0;
     mpm_domain::restore(*model_, from);
     act_with_loads(over_ - 1);
-    take_forces(numbers_of_size(from, "static.forces", 2 * model_->grid.size()));
-    take_loads(numbers_of_size(from, "static.loads", 3 * model_->contact.bodies().size()));
     ways_ = no_ways();
-    take_ways(numbers_of_size(from, "static.ways", numbers_of_way * ways_.size()));
+    restore_result(from);
   }
 
   /// Number of completed stages when a checkpoint was made.
@@ -100,16 +90,42 @@ public:
 private:
   static constexpr std::size_t numbers_of_way = 3;
 
+  /// What a stage has found, apart from the state of its model.
+  template <class Writer>
+  void save_result(Writer& to) const {
+    std::vector<double> numbers;
+    for (const Vector& force : forces_)
+      numbers.insert(numbers.end(), {force.x, force.y});
+    to.write("static.forces", numbers);
+    numbers.clear();
+    for (const RigidLoad& load : of_going_)
+      numbers.insert(numbers.end(), {load.force.x, load.force.y, load.moment});
+    to.write("static.loads", numbers);
+    numbers.clear();
+    for (const StructureWay& structure : ways_)
+      numbers.insert(numbers.end(), {structure.way.x, structure.way.y, structure.turn});
+    to.write("static.ways", numbers);
+  }
+  template <class Reader>
+  void restore_result(const Reader& from) {
+    take_forces(numbers_of_size(from, "static.forces", 2 * model_->grid.size()));
+    take_loads(numbers_of_size(from, "static.loads", 3 * model_->contact.bodies().size()));
+    take_ways(numbers_of_size(from, "static.ways", numbers_of_way * ways_.size()));
+  }
+
   void gravity();
   void go(const LoadSettings& load);
   void go(const ConstructionSettings& construction);
   void end_stage();
+  void gather_model();
+  void gather_at_failure();
 
   std::optional<Spec> spec_from(std::size_t first) const;
   void begin_model(std::size_t first);
   void begin_relaxation();
   void act_with_loads(std::size_t stage);
   void scale(const LoadSettings& load, double share);
+  void follow_loads();
   void weigh_structures();
   std::string description(const LoadSettings& load) const;
   Relaxed run(const Course& course, const std::string& what, const std::string& why);
@@ -125,6 +141,7 @@ private:
   GravitySettings gravity_;
   std::vector<StaticStage> stages_; ///< after gravity
   StageProgress progress_;
+  Communicator* ranks_; ///< null: there is one process
   std::size_t over_ = 0;
   std::shared_ptr<Domain> own_; ///< the present model; null: it is that of the end
   Domain* model_ = nullptr;

@@ -121,10 +121,6 @@ void unpack(std::vector<Particles>& sets, std::size_t blocks, const std::vector<
 
 /// The first feature of a domain that cannot yet be distributed over ranks, if it has one.
 std::optional<std::string> not_for_ranks(const Spec& spec) {
-  if (spec.scheme.subcycle)
-    return "a mesh whose levels take steps of their own";
-  if (!spec.earthworks.empty())
-    return "soil that is placed or removed after a shaking";
   if (spec.scheme.dispersion == Dispersion::reduced)
     return "a domain with reduced dispersion";
   return std::nullopt;
@@ -153,7 +149,8 @@ std::vector<std::vector<std::size_t>> tiles_of_images(const Ground& ground) {
   return groups;
 }
 
-/// Numbers of particles in the tiles, over all ranks.
+/// Numbers of particles in the tiles, over all ranks. One that runs on clock r counts 2^r times, as often as
+/// it moves in a step.
 struct Census {
   std::vector<std::int64_t> on_lattice; ///< by tile: those that touch one lattice
   std::vector<std::int64_t> across;     ///< by tile: all others
@@ -164,14 +161,17 @@ struct Census {
 };
 
 /// Boxes around nodes that a graded mesh ties, and those that they follow: as far as particles across
-/// lattices may touch nodes.
+/// lattices may touch nodes, and where levels have clocks of their own, particles of two clocks.
 std::vector<mesh::Rectangle> boxes_of_ties(const Ground& ground) {
   std::vector<mesh::Rectangle> boxes;
   if (!ground.mesh)
     return boxes;
   const auto add = [&](std::size_t node) {
     const NodePosition position = ground.position_of(node);
-    const double reach = 4.0 * ground.lattice(position.level).h; // two cells of the coarser lattice, or four
+    // Two cells of the coarser lattice, or four; the next two may run on the clock of the finer one, and
+    // share nodes with two more.
+    const double cells = ground.clocks.count() == 1 ? 4.0 : 8.0;
+    const double reach = cells * ground.lattice(position.level).h;
     boxes.push_back(
         {position.at.x - reach, position.at.y - reach, position.at.x + reach, position.at.y + reach});
   };
@@ -236,7 +236,8 @@ void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::R
   for (const Particles& set : ground.sets)
     for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block)
       (block < ground.block_count() ? census.on_lattice : census.across)[block % ground.tiles.count()] +=
-          static_cast<std::int64_t>(set.block_start[block + 1] - set.block_start[block]);
+          static_cast<std::int64_t>(set.block_start[block + 1] - set.block_start[block])
+          << ground.clock_of_block(block);
   const Together together = tiles_together(ground, structures, census);
   ground.share =
       RankShare{&ranks, deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together),
@@ -253,6 +254,18 @@ void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::R
   resize_fields(ground.grid, ground.grid.size());
 }
 
+void make_whole(Ground& ground) {
+  Communicator& ranks = *ground.share->ranks;
+  std::vector<Parcel> mine(1);
+  for (const Particles& set : ground.sets)
+    pack(
+        set, [](std::size_t, std::size_t) { return 0; }, add_nothing, mine);
+  const std::vector<Parcel> to_all(static_cast<std::size_t>(ranks.size()), mine.front());
+  unpack(ground.sets, ground.block_count() + ground.across_block_count(), ranks.swap(to_all));
+  ground.share.reset();
+  resize_fields(ground.grid, ground.grid.size());
+}
+
 void move_between_ranks(Ground& ground) {
   RankShare& share = *ground.share;
   Census census(ground);
@@ -265,7 +278,8 @@ void move_between_ranks(Ground& ground) {
                                        ? lattice_of(set, k, *ground.mesh, ground.sort_distance())
                                        : LatticeOfParticle{level, true};
       tile[k] = tile_of(set, k, ground.tiles, of.level);
-      ++(of.alone ? census.on_lattice : census.across)[tile[k]];
+      (of.alone ? census.on_lattice : census.across)[tile[k]] += std::int64_t{1}
+                                                                 << ground.clocks.at(set.x[k], set.y[k]);
     }
   }
   share.ranks->add(census.on_lattice);

@@ -13,8 +13,7 @@
 
 namespace tremolo::mpm_domain {
 
-/// @throws std::invalid_argument naming what of a domain ranks cannot share yet: sub-cycling, reduced
-/// dispersion, changes of the ground between shakings
+/// @throws std::invalid_argument naming what of a domain ranks cannot share yet: reduced dispersion
 void require_shareable(const Spec& spec);
 
 /// Leaves whole ground, which is the same on all ranks, with the particles of this rank's tiles. What they
@@ -23,6 +22,10 @@ void require_shareable(const Spec& spec);
 /// @param structures  boxes around all that these may touch until the next sort
 /// @throws std::invalid_argument as require_shareable() does
 void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures);
+
+/// Gives every rank the particles of all, in the order that they have in the whole ground. What they may
+/// touch must be found next: find_reach().
+void make_whole(Ground& ground);
 
 /// Gives particles that have come to tiles of other ranks to these; deals the tiles anew where they are
 /// uneven, or where structures have come to others. A part of the sort.

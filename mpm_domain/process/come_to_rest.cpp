@@ -142,7 +142,7 @@ AtRest come_to_rest(Domain& domain, const RunOfCase& run, const results::Checkpo
       run.client->progress(planned[stage].name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
   const std::vector<StaticStage> then = static_settings(run.scene);
-  StaticStages stages(domain, {gravity.residual, gravity.max_time}, then, progress);
+  StaticStages stages(domain, {gravity.residual, gravity.max_time}, then, progress, run.ranks);
   if (saved != nullptr)
     stages.restore(*saved);
   try {

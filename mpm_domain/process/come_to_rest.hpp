@@ -22,6 +22,7 @@ struct RunOfCase {
   const scene::Plan& plan;
   const coupler::ParticipantOptions& options;
   coupler::DomainClient* client; ///< null on all ranks but the first
+  Communicator* ranks;           ///< null where there is one process
 };
 
 /// Why a run has ended that was asked to end after a stage.
@@ -38,7 +39,7 @@ struct AtRest {
   bool ended = false;   ///< the run has ended after a static stage that is not the last one
 };
 
-/// Brings the whole domain to rest. All ranks do so.
+/// Brings the domain to rest. Ranks share the work, and each has the whole domain then.
 /// @param saved  state of the static stages to go on from; null: none
 /// @param until  name of the stage that the run ends after; empty: the last one
 /// @throws std::runtime_error where the ground finds no rest; a frame then shows where it moves

@@ -3,9 +3,9 @@
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
 //
-// mpirun may have started it as several ranks (docs/ranks.md). Each builds the whole domain and brings it to
-// rest, and then keeps its share. Only rank 0 knows the coupler and writes results; it runs on the machine of
-// the run, the others there or on machines that share its folder.
+// mpirun may have started it as several ranks (docs/ranks.md). Each builds the whole domain; they bring it to
+// rest together, and then each keeps its share. Only rank 0 knows the coupler and writes results; it runs on
+// the machine of the run, the others there or on machines that share its folder.
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/particles/share_out.hpp"
@@ -246,7 +246,7 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
     domain.boundary.restore_rest(domain, *saved);
   double gravity_seconds = 0.0;
   if (scene.gravity && (!saved || before_shaking)) {
-    const AtRest rest = come_to_rest(domain, {scene, plan, options, client}, saved.get(), until);
+    const AtRest rest = come_to_rest(domain, {scene, plan, options, client, ranks}, saved.get(), until);
     if (rest.ended)
       return;
     gravity_seconds = rest.seconds;

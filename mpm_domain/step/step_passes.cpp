@@ -34,6 +34,19 @@ void order(Domain& domain, Step& step) {
   step.moved = 0.0;
 }
 
+/// Soil comes and goes among the particles of all: for that ranks that share the domain all have the whole.
+void begin_earthwork(Domain& domain, Step& step) {
+  Communicator* const ranks = domain.share ? domain.share->ranks : nullptr;
+  if (ranks != nullptr)
+    make_whole(domain);
+  domain.earthworks.begin(domain, [&] { order(domain, step); });
+  if (ranks == nullptr)
+    return;
+  step.bounds = step_bounds(domain);
+  share_out(domain, *ranks);
+  step.nodes = ClockNodes(domain);
+}
+
 void sort(Domain& domain, Step& step) {
   // On a graded mesh a particle must not come near another lattice within the step either.
   const double moves = domain.mesh ? step.max_speed * step.dt : 0.0;
@@ -89,7 +102,7 @@ std::vector<Pass> step_passes(Domain& domain) {
   std::vector<Pass> passes{{Phase::step_length, "time step",
                             [&](Step& step) {
                               while (domain.earthworks.is_due(domain, step.time))
-                                domain.earthworks.begin(domain, [&] { order(domain, step); });
+                                begin_earthwork(domain, step);
                               choose_step(domain, step);
                             }},
                            {Phase::sort, "sort", [&](Step& step) { sort(domain, step); }}};

@@ -147,7 +147,9 @@ StepBounds step_bounds(Domain& domain) {
 }
 
 double critical_time_step(Domain& domain, double max_speed) {
-  return std::min(uniform_limit(domain, step_bounds(domain), max_speed).step, domain.props.critical_step());
+  StepBounds bounds = step_bounds(domain);
+  take_largest(domain, bounds);
+  return std::min(uniform_limit(domain, bounds, max_speed).step, domain.props.critical_step());
 }
 
 double fastest_point(const Domain& domain) {
@@ -160,8 +162,9 @@ double fastest_point(const Domain& domain) {
 }
 
 double critical_skeleton_step(Domain& domain) {
-  return std::min(uniform_limit(domain, bounds_of(domain, &FastestWaves::in_skeleton), 0.0).step,
-                  domain.props.critical_step());
+  StepBounds bounds = bounds_of(domain, &FastestWaves::in_skeleton);
+  take_largest(domain, bounds);
+  return std::min(uniform_limit(domain, bounds, 0.0).step, domain.props.critical_step());
 }
 
 double next_time_step(const Domain& domain, const StepBounds& bounds, double max_speed, double last) {

@@ -25,8 +25,9 @@ class Communicator;
 struct Deal {
   static constexpr int nobody = -1;
 
-  std::vector<int> owner;              ///< by tile; nobody: no particle comes near it before the next sort
-  std::vector<std::int64_t> particles; ///< by tile, those of all ranks that are on its lattice alone
+  std::vector<int> owner; ///< by tile; nobody: no particle comes near it before the next sort
+  /// By tile, those of all ranks that are on its lattice alone; one that takes several steps counts as often.
+  std::vector<std::int64_t> particles;
 };
 
 /// Particles of the fullest rank over their mean, beyond which tiles are dealt anew.
@@ -56,7 +57,7 @@ double unevenness(const Deal& deal, int ranks, const Together& together = {});
 struct RankShare {
   Communicator* ranks; ///< outlives the domain
   Deal deal;
-  std::int64_t across = 0;                 ///< particles of all ranks that are not on one lattice alone
+  std::int64_t across = 0;                 ///< particles of all ranks that are not, counted likewise
   std::vector<mesh::Rectangle> structures; ///< boxes around all that these may touch until the next sort
 
   int owner(std::size_t tile) const { return deal.owner[tile]; }

@@ -70,7 +70,8 @@ void Halo::Direction::resize(std::size_t fields) {
     numbers[r].resize(fields * length[r]);
 }
 
-Halo::Halo(const TileMap& tiles, std::span<const std::size_t> filled, const RankShare& share)
+Halo::Halo(const TileMap& tiles, std::span<const std::size_t> filled, std::span<const std::size_t> of_others,
+           const RankShare& share)
     : share_(share) {
   const int me = share.ranks->rank();
   out_.pieces.resize(filled.size());
@@ -83,9 +84,7 @@ Halo::Halo(const TileMap& tiles, std::span<const std::size_t> filled, const Rank
       out_.add(n, rank, pieces);
     (wanted.empty() ? interior_ : rim_).push_back(n);
   }
-  for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
-    if (share.deal.particles[tile] == 0 || share.is_mine(tile))
-      continue;
+  for (const std::size_t tile : of_others) {
     unsigned wanted = 0;
     for (const std::size_t other : tiles.around(tile))
       if (share.is_mine(other))

@@ -27,9 +27,11 @@ namespace tremolo::mpm_domain {
 
 class Halo {
 public:
-  /// @param filled  the rank's own tiles with particles, rising
-  /// @param share   outlives this
-  Halo(const TileMap& tiles, std::span<const std::size_t> filled, const RankShare& share);
+  /// @param filled     the rank's own tiles with particles, rising
+  /// @param of_others  those of other ranks, rising
+  /// @param share      outlives this
+  Halo(const TileMap& tiles, std::span<const std::size_t> filled, std::span<const std::size_t> of_others,
+       const RankShare& share);
 
   /// Tiles of others whose windows hold nodes that this rank needs, rising.
   std::span<const std::size_t> remote() const { return remote_; }

@@ -68,10 +68,11 @@ void WindowPool::give_back(double* window) {
   free_.push_back(window);
 }
 
-TileSums::TileSums(const TileMap& tiles, std::vector<std::size_t> filled, const RankShare* share)
+TileSums::TileSums(const TileMap& tiles, std::vector<std::size_t> filled, const RankShare* share,
+                   std::span<const std::size_t> of_others)
     : filled_(std::move(filled)) {
   if (share != nullptr)
-    halo_.emplace(tiles, filled_, *share);
+    halo_.emplace(tiles, filled_, of_others, *share);
   find_owners(tiles, share);
   const std::size_t count = owners_of_.size();
   touched_.resize(count);

@@ -46,9 +46,11 @@ private:
 /// The sums of the tiles that hold particles of one clock.
 class TileSums {
 public:
-  /// @param filled  the tiles that hold particles of this rank, in rising order
-  /// @param share   of this rank; null where there is one. It outlives this
-  TileSums(const TileMap& tiles, std::vector<std::size_t> filled, const RankShare* share = nullptr);
+  /// @param filled     the tiles that hold particles of this rank, in rising order
+  /// @param share      of this rank; null where there is one. It outlives this
+  /// @param of_others  the tiles that hold particles of other ranks, rising
+  TileSums(const TileMap& tiles, std::vector<std::size_t> filled, const RankShare* share = nullptr,
+           std::span<const std::size_t> of_others = {});
 
   std::span<const std::size_t> filled() const { return filled_; }
 

@@ -21,6 +21,13 @@ namespace tremolo::mpm_domain {
 /// Every number becomes its largest value over all ranks.
 void take_largest(const Ground& ground, std::span<double> numbers);
 
+/// Every node takes its value from the rank on which it counts; nodes that nobody has become zero. Does
+/// nothing in one process.
+void take_nodes_of_all(const Ground& ground, std::span<double> values);
+
+/// The digits of sums become those over all ranks.
+void add_over_ranks(const Ground& ground, std::span<ExactSum> sums);
+
 /// Adds up the numbers of all parts of this rank.
 template <std::size_t count>
 ExactSums<count> sums_of(std::span<const std::array<double, count>> parts) {

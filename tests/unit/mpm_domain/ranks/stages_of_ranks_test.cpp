@@ -1,0 +1,198 @@
+// Ranks share the static stages, which have the same bits as those of one process. Rank 0 makes these alone
+// as well, and compares.
+
+#include "mpm_domain/gravity/static_stages.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/particles/share_out.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
+#include "tests/support/box_run.hpp"
+#include "tests/support/quiet_ground.hpp"
+#include "tests/support/saved_state.hpp"
+#include "tests/unit/mpm_domain/ranks/structure_models.hpp"
+#include "tests/unit/mpm_domain/ranks/test_ranks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tremolo {
+namespace {
+
+using mpm_domain::Domain;
+using mpm_domain::Reactions;
+using mpm_domain::Spec;
+using mpm_domain::StaticStage;
+using mpm_domain::StaticStages;
+using test_support::SavedState;
+
+constexpr double residual = 2e-2; // bits show long before rest
+
+/// A box of 100 m by 40 m, and what comes after gravity.
+struct Site {
+  const char* name;
+  std::function<void(Spec&, std::vector<StaticStage>&)> change;
+};
+
+mpm_domain::StageSettings settings() {
+  return {.ramp = 0.2, .residual = residual, .max_time = 20.0};
+}
+
+/// Two loads, the first of which undrained soil carries.
+void load_wet_ground(Spec& spec, std::vector<StaticStage>& stages) {
+  test_support::add_water(spec, materials::Drainage::coupled);
+  spec.loads = {{.x_min = 20.0, .x_max = 40.5, .pressure = 2e4, .shear = 1e3},
+                {.x_min = 60.0, .x_max = 62.0, .pressure = 5e4, .shear = 0.0}};
+  mpm_domain::StageSettings undrained = settings();
+  undrained.undrained = {true};
+  stages = {mpm_domain::LoadSettings{undrained, 0}, mpm_domain::LoadSettings{settings(), 1}};
+}
+
+/// One block of two goes, which then stands no more when the walls are loaded.
+void build_and_remove(Spec& spec, std::vector<StaticStage>& stages) {
+  test_support::add_propped_walls(spec);
+  const std::vector<mpm_domain::Structure> walls = spec.structures;
+  test_support::add_block(spec, "goes", test_support::rectangle(12.0, -4.0, 18.0, 4.0));
+  const std::vector<mpm_domain::Structure> all = spec.structures;
+  spec.structures = walls;
+  spec.structure_loads = {{.structure = "left", .force = {-1e4, -2e4}}};
+  mpm_domain::ConstructionSettings with_block;
+  static_cast<mpm_domain::StageSettings&>(with_block) = settings();
+  with_block.regions = spec.regions;
+  with_block.structures = all;
+  stages = {with_block, mpm_domain::LoadSettings{settings(), 0, true}};
+}
+
+const Site sites[] = {
+    {"Level", [](Spec& spec, auto&) { spec.gravity = 9.81, test_support::yield(spec); }},
+    {"Building",
+     [](Spec& spec, auto&) {
+       test_support::add_block(spec, "building", test_support::rectangle(26.0, -4.0, 38.0, 6.0));
+     }},
+    {"Neighbours", [](Spec& spec, auto&) { test_support::add_neighbours(spec); }},
+    {"Lining", [](Spec& spec, auto&) { test_support::add_lining(spec); }},
+    {"Levels",
+     [](Spec& spec, auto&) {
+       spec.gravity = 9.81;
+       test_support::refine_corner(spec);
+     }},
+    {"Periodic",
+     [](Spec& spec, auto&) {
+       spec.gravity = 9.81;
+       test_support::make_periodic(spec);
+     }},
+    {"LoadedWetGround", load_wet_ground},
+    {"BlockThatGoes", build_and_remove},
+};
+
+class StagesOfRanks : public testing::TestWithParam<Site> {
+protected:
+  StagesOfRanks() {
+    spec_ = test_support::elastic_box(100.0, 40.0, 1.0);
+    GetParam().change(spec_, stages_);
+  }
+
+  StaticStages walk(Domain& end, mpm_domain::Communicator* ranks) const {
+    return {end, {.residual = residual}, stages_, [](std::size_t, long, double) {}, ranks};
+  }
+
+  /// A few steps from rest on, and the state then.
+  static SavedState shake(Domain& domain, mpm_domain::Communicator* ranks) {
+    if (ranks != nullptr)
+      share_out(domain, *ranks);
+    mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
+    for (int step = 0; step < 5; ++step)
+      stepper.step();
+    SavedState state;
+    save(domain, domain.share ? gather_sets(domain).sets : domain.sets, state);
+    stepper.save(state);
+    return state;
+  }
+
+  Spec spec_;
+  std::vector<StaticStage> stages_;
+};
+
+void expect_same(const Reactions& one, const Reactions& other) {
+  EXPECT_EQ(one.base, other.base);
+  EXPECT_EQ(one.sides, other.sides);
+  EXPECT_EQ(one.slipping_bodies, other.slipping_bodies);
+  ASSERT_EQ(one.force.size(), other.force.size());
+  for (std::size_t n = 0; n < one.force.size(); ++n) {
+    EXPECT_EQ(one.force[n].x, other.force[n].x);
+    EXPECT_EQ(one.force[n].y, other.force[n].y);
+  }
+  ASSERT_EQ(one.ways.size(), other.ways.size());
+  for (std::size_t s = 0; s < one.ways.size(); ++s) {
+    EXPECT_EQ(one.ways[s].way.y, other.ways[s].way.y);
+    EXPECT_EQ(one.ways[s].turn, other.ways[s].turn);
+  }
+}
+
+TEST_P(StagesOfRanks, HaveTheBitsOfOneProcess) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  std::optional<Domain> alone; // of rank 0
+  std::optional<StaticStages> walk_alone;
+  if (ranks.rank() == 0) {
+    alone.emplace(spec_);
+    walk_alone.emplace(walk(*alone, nullptr));
+  }
+  Domain shared(spec_);
+  StaticStages walk_of_ranks = walk(shared, &ranks);
+  while (!walk_of_ranks.are_over()) {
+    SCOPED_TRACE("stage " + std::to_string(walk_of_ranks.over()));
+    walk_of_ranks.next();
+    if (!walk_alone)
+      continue;
+    walk_alone->next();
+    SavedState state, state_alone;
+    walk_of_ranks.save(state);
+    walk_alone->save(state_alone);
+    expect_same(state_alone, state);
+  }
+  EXPECT_FALSE(shared.share); // each has the whole model
+  const Reactions reactions = walk_of_ranks.finish();
+  replace_constraints(shared, reactions);
+  const SavedState state = shake(shared, &ranks);
+  if (!alone)
+    return;
+  const Reactions reactions_alone = walk_alone->finish();
+  expect_same(reactions_alone, reactions);
+  replace_constraints(*alone, reactions_alone);
+  expect_same(shake(*alone, nullptr), state);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sites, StagesOfRanks, testing::ValuesIn(sites),
+                         [](const auto& of) { return of.param.name; });
+
+/// Where the ground finds no rest, all ranks have the whole of it and the motion of its nodes.
+TEST(Ranks, ShowWhereGroundFindsNoRest) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  Spec spec = test_support::elastic_box(100.0, 40.0, 1.0);
+  test_support::add_building(spec);
+  const auto fail = [&](mpm_domain::Communicator* with) {
+    auto domain = std::make_unique<Domain>(spec);
+    StaticStages stages(
+        *domain, {.residual = 1e-9, .max_time = 0.1}, {}, [](std::size_t, long, double) {}, with);
+    EXPECT_THROW(stages.next(), mpm_domain::NotAtRest);
+    take_velocities_of_nodes(*domain);
+    return domain;
+  };
+  const auto shared = fail(&ranks);
+  if (ranks.rank() != 0)
+    return;
+  const auto alone = fail(nullptr);
+  ASSERT_EQ(shared->sets.size(), alone->sets.size());
+  for (std::size_t s = 0; s < alone->sets.size(); ++s) {
+    EXPECT_EQ(shared->sets[s].vy, alone->sets[s].vy);
+    EXPECT_NE(alone->sets[s].vy, std::vector<double>(alone->sets[s].size(), 0.0));
+  }
+}
+
+} // namespace
+} // namespace tremolo
