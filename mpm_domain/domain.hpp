@@ -44,7 +44,6 @@ void make_room(Domain& domain, double time, long step);
 
 /// Leaves a whole domain, which is the same on all ranks, with this rank's share of it.
 /// @param ranks  outlives the domain
-/// @throws std::invalid_argument as require_shareable() does (particles/share_out.hpp)
 void share_out(Domain& domain, Communicator& ranks);
 
 /// Gives every rank the whole domain, structures as the first one has them.

@@ -281,7 +281,13 @@ void find_reach(Ground& ground, std::span<const std::size_t> shared_nodes) {
         {TileSums(ground.tiles, std::move(filled), ground.share ? &*ground.share : nullptr, of_others),
          ground.mesh ? find_across(ground, clock) : std::vector<AcrossTile>{}});
   }
-  ground.soil_rows = find_soil_rows(ground, shared_nodes);
+  ground.skirt.reset();
+  std::vector<std::size_t> more(shared_nodes.begin(), shared_nodes.end());
+  if (ground.share && ground.is_sharp()) {
+    ground.skirt.emplace(ground, shared_nodes);
+    more.insert(more.end(), ground.skirt->nodes().begin(), ground.skirt->nodes().end());
+  }
+  ground.soil_rows = find_soil_rows(ground, more);
   ground.soil_ties = find_soil_ties(ground);
   ground.image_rows = rows_of_images(ground.ties(), ground.soil_ties);
   weigh_across(ground);

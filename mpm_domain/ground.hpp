@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm_domain/clocks/clock_map.hpp"
+#include "mpm_domain/dispersion/skirt.hpp"
 #include "mpm_domain/grid/across_weights.hpp"
 #include "mpm_domain/grid/body_lattices.hpp"
 #include "mpm_domain/grid/graded_mesh.hpp"
@@ -98,6 +99,7 @@ struct Ground {
   BasisCells basis_cells; ///< of the mesh, as far as particles across lattices touch them
   TileMap tiles;
   std::optional<RankShare> share;      ///< of this rank; none: the ground is whole
+  std::optional<Skirt> skirt;          ///< where ranks share ground with reduced dispersion
   std::vector<ClockTiles> clock_tiles; ///< by clock
   std::vector<NodeRange> soil_rows;    ///< see find_soil_rows
   std::vector<std::size_t> soil_ties;  ///< see find_soil_ties

@@ -21,15 +21,11 @@ namespace tremolo::app {
 namespace {
 
 std::string ranks_section(const scene::Case& scene, const DomainRanks& ranks) {
-  const auto reason = what_ranks_cannot_share(scene);
-  if (!reason.empty())
-    return fmt::format("\nRanks\n  {}\n", reason);
   try {
     check_ranks(scene, ranks, false);
     return fmt::format("\nRanks\n  the domain can run {}\n", ranks_text(scene, ranks, false));
   } catch (const std::exception& not_here) {
-    return fmt::format("\nRanks\n  ranks can share the domain, but not be started here: {}\n",
-                       not_here.what());
+    return fmt::format("\nRanks\n  they cannot be started here: {}\n", not_here.what());
   }
 }
 

@@ -77,10 +77,9 @@ scene::Axis made_motions(const scene::Study& study, const fs::path& folder) {
   return axis;
 }
 
-/// Refuses ranks for a run that has no domain or whose domain they cannot share, before anything is written.
+/// Refuses ranks for runs that have no domain, and those that cannot be started, before anything is written.
 /// @throws std::runtime_error, std::invalid_argument
-void require_ranks(const Options& options, const scene::Study& study, const scene::Case& given,
-                   const std::vector<SweepRun>& runs) {
+void require_ranks(const Options& options, const scene::Study& study, const scene::Case& given) {
   if (options.ranks.count == 1)
     return;
   if (!study.models.empty())
@@ -89,8 +88,6 @@ void require_ranks(const Options& options, const scene::Study& study, const scen
                     options.ranks.count, study.file.string()));
   if (!options.slurm)
     check_ranks(given, options.ranks, true);
-  for (const SweepRun& run : runs)
-    require_shareable(scene::parse(run.text, given.file, given.directory), options.ranks);
 }
 
 void sweep(const Options& options) {
@@ -102,7 +99,7 @@ void sweep(const Options& options) {
   if (study.motions)
     noise_recipe(study);
   auto runs = planned_runs(study, axes, given);
-  require_ranks(options, study, given, runs);
+  require_ranks(options, study, given);
 
   const fs::path folder = options.out.empty() ? fs::path("sweeps") / study_name(options.study) : options.out;
   make_folder(folder);

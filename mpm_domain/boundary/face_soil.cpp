@@ -67,7 +67,8 @@ std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const Bounda
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const mesh::Rectangle line = line_of(faces[f], soil[f].position);
     const bool own_boxes = ground.sets[faces[f].set].has_own_boxes();
-    const double way = (own_boxes ? 2.0 : 1.0) * ground.sort_distance(); // as in reach_of()
+    const double way = (own_boxes ? 2.0 : 1.0) * ground.sort_distance() // as in reach_of()
+                       + (ground.is_sharp() ? lattice.h : 0.0); // faces are sharpened along themselves
     if (ground.mesh) {
       add_nodes_of_mesh(ground, {line.x_min - way, line.y_min - way, line.x_max + way, line.y_max + way},
                         nodes);

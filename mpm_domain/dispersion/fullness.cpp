@@ -4,6 +4,7 @@
 #include "mpm_domain/kernel/lanes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace tremolo::mpm_domain {
@@ -13,7 +14,7 @@ namespace {
 double lightest_soil(const Ground& ground) {
   double density = std::numeric_limits<double>::infinity();
   for (const Particles& set : ground.sets)
-    if (set.size() > 0)
+    if (!set.index_of.empty())
       density = std::min(density, set.density);
   return density;
 }
@@ -56,6 +57,7 @@ void find_fullness(Ground& ground) {
   const std::vector<NodeRange>& rows = ground.soil_rows;
   ground.workers.run(rows.size(), [&](std::size_t r) { find_fullness(ground, rows[r], per_full); });
   prolong(ground, NodeGroup::fullness);
+  take_at_skirt(ground, std::array{&NodeFields::fullness});
   const std::size_t reach = 3 * (static_cast<std::size_t>(ground.grid.nx) + 1);
   ground.workers.run(rows.size(), [&](std::size_t r) {
     if (rows[r].begin >= reach && rows[r].end + reach <= ground.grid.size())

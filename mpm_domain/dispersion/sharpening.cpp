@@ -133,7 +133,7 @@ double planned_step(const Ground& ground) {
     return *scheme.dt;
   double least = std::numeric_limits<double>::infinity();
   for (const Particles& set : ground.sets)
-    if (set.size() > 0) {
+    if (!set.index_of.empty()) {
       const Soil& soil = ground.spec.soils[set.soil_index];
       const double speed =
           materials::elasticity(set.law).p_wave_speed() * std::sqrt(soil.relaxation.unrelaxed());
@@ -150,7 +150,7 @@ Sharpening sharpening_of(const Ground& ground) {
   double speed = std::numeric_limits<double>::infinity();
   for (const Particles& set : ground.sets)
     if (const materials::Elasticity& soil = materials::elasticity(set.law);
-        set.size() > 0 && soil.s_wave_speed() < speed) {
+        !set.index_of.empty() && soil.s_wave_speed() < speed) {
       slowest = soil;
       speed = soil.s_wave_speed();
     }
@@ -166,6 +166,7 @@ void sharpen_velocities(Ground& ground, const NodeField& vx, const NodeField& vy
 
 void sharpen_forces(Ground& ground) {
   prolong(ground, NodeGroup::force); // what lies beyond a periodic side
+  take_at_skirt(ground, std::array{&NodeFields::force_x, &NodeFields::force_y});
   Grid& grid = ground.grid;
   sharpen(ground, grid.force_x, grid.force_y, OfForce{sharpening_of(ground)});
   std::swap(grid.force_x, grid.sharp_x);

@@ -2,15 +2,10 @@
 
 #include "mpm_domain/ranks/communicator.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace tremolo::mpm_domain {
@@ -119,13 +114,6 @@ void unpack(std::vector<Particles>& sets, std::size_t blocks, const std::vector<
     unpack(set, blocks, parcels, 0, next);
 }
 
-/// The first feature of a domain that cannot yet be distributed over ranks, if it has one.
-std::optional<std::string> not_for_ranks(const Spec& spec) {
-  if (spec.scheme.dispersion == Dispersion::reduced)
-    return "a domain with reduced dispersion";
-  return std::nullopt;
-}
-
 /// The tiles that hold nodes of periodic sides, images and what they are images of, by row of tiles. A rank
 /// that has one tile of a row has them all, so that sums at both sides come together.
 std::vector<std::vector<std::size_t>> tiles_of_images(const Ground& ground) {
@@ -224,14 +212,7 @@ std::vector<Parcel> empty_parcels(const Communicator& ranks) {
 
 } // namespace
 
-void require_shareable(const Spec& spec) {
-  if (const auto what = not_for_ranks(spec))
-    throw std::invalid_argument(
-        fmt::format("ranks cannot share {} yet: leave out --ranks and take more --threads", *what));
-}
-
 void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
-  require_shareable(ground.spec);
   Census census(ground);
   for (const Particles& set : ground.sets)
     for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block)

@@ -13,14 +13,10 @@
 
 namespace tremolo::mpm_domain {
 
-/// @throws std::invalid_argument naming what of a domain ranks cannot share yet: reduced dispersion
-void require_shareable(const Spec& spec);
-
 /// Leaves whole ground, which is the same on all ranks, with the particles of this rank's tiles. What they
 /// may touch must be found next: find_reach().
 /// @param ranks       outlives the ground
 /// @param structures  boxes around all that these may touch until the next sort
-/// @throws std::invalid_argument as require_shareable() does
 void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures);
 
 /// Gives every rank the particles of all, in the order that they have in the whole ground. What they may

@@ -237,8 +237,6 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
     require_same_inputs(*ranks, scene, plan, options);
   Spec spec = spec_from_case(scene, options.threads);
   spec.rock_motion = rock_motion(scene, plan);
-  if (ranks != nullptr)
-    require_shareable(spec);
   Domain domain(spec);
   auto saved = coupler::saved_state(options);
   const bool before_shaking = saved && is_before_shaking(scene, *saved);

@@ -61,6 +61,7 @@ void scatter_sharp_forces(Ground& ground) {
 
 void sharpen_strain(Ground& ground) {
   prolong(ground, NodeGroup::velocity);
+  take_at_skirt(ground, std::array{&NodeFields::vx_strain, &NodeFields::vy_strain});
   Grid& grid = ground.grid;
   sharpen_velocities(ground, grid.vx_strain, grid.vy_strain);
   std::swap(grid.vx_strain, grid.sharp_x);

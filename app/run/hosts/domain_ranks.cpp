@@ -3,9 +3,7 @@
 #include "app/run/hosts/rank_places.hpp"
 #include "app/run/hosts/words.hpp"
 #include "base/temporary_parent.hpp"
-#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/process/ranks/shared_memory.hpp"
-#include "mpm_domain/process/spec_from_case.hpp"
 
 #include <fmt/format.h>
 
@@ -102,15 +100,6 @@ Words placed(const scene::Case& scene, const DomainRanks& ranks, bool local, dou
 
 } // namespace
 
-std::string what_ranks_cannot_share(const scene::Case& scene) {
-  try {
-    mpm_domain::require_shareable(mpm_domain::spec_from_case(scene, 1));
-    return {};
-  } catch (const std::invalid_argument& reason) {
-    return reason.what();
-  }
-}
-
 void check_ranks(const scene::Case& scene, const DomainRanks& ranks, bool local) {
   if (ranks.count == 1)
     return;
@@ -134,12 +123,6 @@ void check_ranks(const scene::Case& scene, const DomainRanks& ranks, bool local)
   }
   if (start == StartRanksBy::slurm)
     require_job(ranks);
-  require_shareable(scene, ranks);
-}
-
-void require_shareable(const scene::Case& scene, const DomainRanks& ranks) {
-  if (const auto reason = what_ranks_cannot_share(scene); !reason.empty())
-    throw std::invalid_argument(fmt::format("--ranks {}: {}", ranks.count, reason));
 }
 
 int ranks_here(const scene::Case& scene, const DomainRanks& ranks, bool local) {

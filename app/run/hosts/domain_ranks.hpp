@@ -16,17 +16,10 @@ struct DomainRanks {
 /// Ranks of a run; more are a slip of the finger.
 inline constexpr int most_ranks = 4096;
 
-/// Refuses, before anything is started, ranks that cannot be started or cannot share the domain.
+/// Refuses, before anything is started, ranks that cannot be started.
 /// @param local  whether all run here, whatever [hosts.domain] says
 /// @throws std::runtime_error, std::invalid_argument with the reason and what to do
 void check_ranks(const scene::Case& scene, const DomainRanks& ranks, bool local);
-
-/// Refuses the domain of a case that ranks cannot share, wherever they are to run.
-/// @throws std::invalid_argument with the reason and what to do
-void require_shareable(const scene::Case& scene, const DomainRanks& ranks);
-
-/// Why ranks cannot share the domain of a case; empty where they can.
-std::string what_ranks_cannot_share(const scene::Case& scene);
 
 /// Ranks on the machine of the run.
 int ranks_here(const scene::Case& scene, const DomainRanks& ranks, bool local);

@@ -10,7 +10,8 @@
 //   gather:   v_p from v+, and p from v_p again
 //   stress:   x_p += dt v+(x_p), strain and stress from u
 //
-// Where soil is wet, scatter is part of water/passes.hpp, and where water flows so is gather.
+// Where soil is wet, scatter is part of water/passes.hpp, and where water flows so is gather. With reduced
+// dispersion forces are scattered after masses, and sharpened (sharp_transfer.hpp).
 
 #include "mpm_domain/passes/pass.hpp"
 
@@ -20,8 +21,7 @@ namespace tremolo::mpm_domain {
 
 std::vector<Pass> transfer_passes(Ground& ground);
 
-/// Additional passes of reduced dispersion: the forces of the particles, which the scatter then leaves out,
-/// and u <- Q u after all other changes of u (sharp_transfer.hpp).
+/// The additional pass of reduced dispersion: u <- Q u after all other changes of u (sharp_transfer.hpp).
 std::vector<Pass> sharp_passes(Ground& ground);
 
 } // namespace tremolo::mpm_domain

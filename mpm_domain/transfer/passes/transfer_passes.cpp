@@ -1,7 +1,9 @@
+#include "mpm_domain/dispersion/fullness.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/passes/passes.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
+#include "mpm_domain/transfer/sharp_transfer.hpp"
 
 namespace tremolo::mpm_domain {
 
@@ -70,6 +72,15 @@ void gather_rest(Ground& ground, Step& step) {
   book_stress(step, sums);
 }
 
+void scatter_masses(Ground& ground, Step& /*step*/) {
+  scatter(ground, ScatterPart::motion);
+}
+
+void scatter_sharpened(Ground& ground, Step& /*step*/) {
+  find_fullness(ground);
+  scatter_sharp_forces(ground);
+}
+
 /// Accelerations are for output alone.
 void find_accelerations(Ground& ground, Step& step) {
   if (step.ticks.first_ending() > 0)
@@ -85,8 +96,12 @@ std::vector<Pass> transfer_passes(Ground& ground) {
   const auto add = [&](Phase phase, const char* name, void (*run)(Ground&, Step&)) {
     passes.push_back({phase, name, [&ground, run](Step& step) { run(ground, step); }});
   };
-  if (!ground.has_water() && !ground.is_sharp())
+  if (ground.is_sharp()) {
+    add(Phase::scatter, "particles to grid", scatter_masses);
+    add(Phase::scatter, "sharpened forces", scatter_sharpened);
+  } else if (!ground.has_water()) {
     add(Phase::scatter, "particles to grid", scatter_clocks);
+  }
   if (!ground.is_remapped()) {
     add(Phase::stress, "grid to particles, stress", gather_all);
   } else {

@@ -78,6 +78,10 @@ void layers(Spec& spec) {
                   {1, {{0.0, -40.0}, {100.0, -40.0}, {100.0, -17.0}, {0.0, -17.0}}}};
 }
 
+void sharpen(Spec& spec) {
+  spec.scheme.dispersion = mpm_domain::Dispersion::reduced;
+}
+
 /// An embankment is placed beside a building, and soon after it a trench is dug.
 void build_and_dig(Spec& spec) {
   spec.gravity = 9.81;
@@ -164,6 +168,11 @@ const Model models[] = {
      30,
      {-60.0, 20.0},
      true},
+    {"Sharp", sharpen, 40},
+    {"SharpLayers", [](Spec& spec) { sharpen(spec), add_layers(spec); }, 20},
+    {"SharpSlope", [](Spec& spec) { sharpen(spec), slope(spec); }, 20},
+    {"SharpPeriodic", [](Spec& spec) { sharpen(spec), make_periodic(spec); }, 20},
+    {"SharpDrifting", sharpen, 40, {120.0, 40.0}},
     {"Earthworks", [](Spec& spec) { test_support::add_building(spec), build_and_dig(spec); }, 25, {}, true},
     {"EarthworksOnLevels",
      [](Spec& spec) {
