@@ -13,10 +13,12 @@ import unittest
 from pathlib import Path
 
 TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
-sys.path[:0] = [str(SOURCE / "python"), *(str(Path(__file__).parents[1] / folder) for folder in ("resume", "structures", "sweep"))]
+sys.path[:0] = [str(SOURCE / "python"), *(str(Path(__file__).parents[1] / folder) for folder in ("resume", "stages", "structures", "sweep"))]
 
+from berm_case import BermWorkspace, stage
 from broken_run import SlopeWorkspace, checkpoints, differences, with_checkpoints
 from processes import alive, children, ranks_below
+from rest_case import rest
 from small_case import SLOPE_BOXES, refine, subcycled
 from small_sweep import SweepWorkspace
 from structure_cases import AnchoredWorkspace
@@ -93,9 +95,15 @@ class WideAnchored(AnchoredWorkspace):
     template = AnchoredWorkspace.template.replace("8.0", "24.0")
 
 
+def sharpened(work):
+    """Reduces the dispersion of a case."""
+    work.case.write_text(work.case.read_text().replace("[mesh]\n", '[mesh]\ndispersion = "reduced"\n'))
+    return work
+
+
 @unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
 class Joined(unittest.TestCase):
-    """What the first rank alone works out: a block with an anchor, and where cells of several sizes meet."""
+    """What the first rank alone works out, such as a block with an anchor, and what all ranks work out as a whole."""
 
     def give_the_bits_of_one(self, work):
         with with_checkpoints(work, every_steps=100) as work:
@@ -108,6 +116,17 @@ class Joined(unittest.TestCase):
 
     def test_acceptance_levels(self):
         self.give_the_bits_of_one(refine(SlopeWorkspace(TREMOLO, duration=0.5), *SLOPE_BOXES))
+
+    def test_acceptance_levels_with_steps_of_their_own(self):
+        self.give_the_bits_of_one(subcycled(refine(SlopeWorkspace(TREMOLO, duration=0.5), *SLOPE_BOXES)))
+
+    def test_acceptance_reduced_dispersion(self):
+        self.give_the_bits_of_one(sharpened(SlopeWorkspace(TREMOLO, duration=0.5)))
+
+    def test_acceptance_a_berm_that_comes_and_goes(self):
+        berm = stage("construction", "berm", 'place = ["berm"]', 0.2)
+        dug = stage("construction", "dug", 'remove = ["berm"]', 0.2)
+        self.give_the_bits_of_one(BermWorkspace(TREMOLO, rest(0.2) + berm + rest(0.2, name='"between"') + dug, shaking=0.5))
 
 
 @unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
@@ -127,12 +146,6 @@ class OfASweep(unittest.TestCase):
                 self.assertEqual(bool(options), "as 2 ranks" in (work.out / "log/0001.txt").read_text())
         self.assertEqual(*tables)
 
-    def test_a_run_that_they_cannot_share_is_refused_before_anything_is_written(self):
-        with SweepWorkspace(TREMOLO, self.STUDY + 'mesh.dispersion = ["plain", "reduced"]\n') as work:
-            done = work.sweep("--ranks", 2, "--slurm", "")
-            self.assertIn("--ranks 2: ranks cannot share a domain with reduced dispersion yet", done.stderr)
-            self.assertFalse(work.out.exists())
-
 
 class Refused(unittest.TestCase):
     def refused(self, work, *options):
@@ -150,13 +163,6 @@ class Refused(unittest.TestCase):
     def test_more_ranks_than_processors(self):
         with SlopeWorkspace(TREMOLO) as work:
             self.assertIn("--oversubscribe starts them all the same", self.refused(work, "--ranks", 4096))
-
-    @unittest.skipUnless(BUILD == "mpi", "this build has no MPI")
-    def test_what_ranks_cannot_share(self):
-        with subcycled(refine(SlopeWorkspace(TREMOLO), ([20.0, 0.0, 30.0, 8.0], 1))) as work:
-            expected = ("--ranks 2: ranks cannot share a mesh whose levels take steps of their own yet: leave out --ranks and take more "
-                        "--threads")
-            self.assertIn(expected, self.refused(work, "--ranks", 2, "--oversubscribe"))
 
 
 if __name__ == "__main__":
