@@ -258,7 +258,7 @@ std::vector<AcrossTile> find_across(Ground& ground, int clock) {
       const auto [begin, end] = set.in_block(ground.across_block(clock, tile));
       if (begin == end)
         continue;
-      AcrossTile& found = across.emplace_back(AcrossTile{s, {}, {}});
+      AcrossTile& found = across.emplace_back(AcrossTile{tile, s, {}, {}});
       found.weights.restart(begin);
       for (std::size_t k = begin; k < end; ++k)
         found.weights.expect(*ground.mesh, ground.basis_cells, reach_of(set, k, ground.sort_distance()));
@@ -440,9 +440,9 @@ void take_head(Ground& ground, Head head) {
 double particle_updates_per_step(const Ground& ground) {
   double updates = 0.0;
   if (ground.share) {
-    for (const std::int64_t particles : ground.share->deal.particles)
-      updates += static_cast<double>(particles);
-    return updates + static_cast<double>(ground.share->across);
+    for (const std::int64_t of_tile : ground.share->updates)
+      updates += static_cast<double>(of_tile);
+    return updates;
   }
   const std::size_t tiles = ground.tiles.count();
   for (const Particles& set : ground.sets)

@@ -24,6 +24,7 @@ namespace tremolo::mpm_domain {
 
 /// The particles of a set in one block that touch several lattices.
 struct AcrossTile {
+  std::size_t tile;
   std::size_t set;
   AcrossWeights weights;
   std::vector<double> sums; ///< what they bring to nodes: [field of particle_sums][place of a four][lane]
@@ -157,6 +158,8 @@ struct Ground {
   bool has_structures_here() const;
   /// Position of a node.
   NodePosition position_of(std::size_t node) const;
+  /// Those that time what tiles cost; null: there is one process.
+  TileTimes* tile_times() { return share ? &share->times : nullptr; }
   /// Whether nodes of one row and one tile count here, not on another rank.
   bool counts(const NodeRange& nodes) const;
   /// Largest motion of a particle allowed between two sorts, m.

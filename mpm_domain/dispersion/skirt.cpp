@@ -27,7 +27,7 @@ Skirt::Skirt(const Ground& ground, std::span<const std::size_t> of_boundary) {
   const RankShare& share = *ground.share;
   std::vector<bool> is_wanted(grid.size(), false);
   for (std::size_t tile = 0; tile < ground.tiles.count(); ++tile)
-    if (share.deal.particles[tile] > 0)
+    if (share.deal.load[tile] > 0)
       mark_around(grid, ground.tiles.window(tile), [&](int i, int j) {
         if (share.owner(ground.tiles.tile_of(0, i, j)) != share.owner(tile))
           is_wanted[grid.index(i, j)] = true;

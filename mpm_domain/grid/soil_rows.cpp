@@ -112,7 +112,7 @@ void touch_from_others(const Ground& ground, Rows& rows) {
   for (std::size_t tile = 0; tile < ground.tiles.count(); ++tile)
     if (share.is_mine(tile))
       for (const std::size_t other : ground.tiles.around(tile))
-        if (share.deal.particles[other] > 0 && !share.is_mine(other))
+        if (share.deal.load[other] > 0 && !share.is_mine(other))
           rows.touch(ground.tiles.level_of(tile),
                      overlap(ground.tiles.owned(tile), ground.tiles.window(other)));
 }

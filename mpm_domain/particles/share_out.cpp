@@ -3,6 +3,7 @@
 #include "mpm_domain/ranks/communicator.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <span>
@@ -137,8 +138,7 @@ std::vector<std::vector<std::size_t>> tiles_of_images(const Ground& ground) {
   return groups;
 }
 
-/// Numbers of particles in the tiles, over all ranks. One that runs on clock r counts 2^r times, as often as
-/// it moves in a step.
+/// Updates of particles in the tiles in a step of clock 0, over all ranks; then their load.
 struct Census {
   std::vector<std::int64_t> on_lattice; ///< by tile: those that touch one lattice
   std::vector<std::int64_t> across;     ///< by tile: all others
@@ -146,7 +146,34 @@ struct Census {
   explicit Census(const Ground& ground)
       : on_lattice(ground.tiles.count(), 0), across(ground.tiles.count(), 0) {}
   std::int64_t all_across() const { return std::reduce(across.begin(), across.end()); }
+  std::vector<std::int64_t> of_tiles() const {
+    std::vector<std::int64_t> sums = on_lattice;
+    for (std::size_t tile = 0; tile < sums.size(); ++tile)
+      sums[tile] += across[tile];
+    return sums;
+  }
 };
+
+/// Processor time that an update takes besides gather and law, ns (docs/performance.md).
+constexpr double other_passes = 40.0;
+
+/// The load of updates: the time that they take, by what those of the same tile took since the last sort, ns.
+/// The census of a share that has not stepped yet, or whose tiles are others now, counts all alike.
+void weigh_by_time(const RankShare& share, Census& census) {
+  const std::size_t tiles = census.on_lattice.size();
+  std::vector<double> cost(tiles, other_passes);
+  if (share.times.steps() > 0 && share.times.nanoseconds().size() == tiles) {
+    std::vector<std::int64_t> time(share.times.nanoseconds().begin(), share.times.nanoseconds().end());
+    share.ranks->add(time);
+    for (std::size_t tile = 0; tile < tiles; ++tile)
+      if (share.updates[tile] > 0)
+        cost[tile] +=
+            static_cast<double>(time[tile]) / static_cast<double>(share.times.steps() * share.updates[tile]);
+  }
+  for (std::vector<std::int64_t>* const updates : {&census.on_lattice, &census.across})
+    for (std::size_t tile = 0; tile < tiles; ++tile)
+      (*updates)[tile] = std::llround(cost[tile] * static_cast<double>((*updates)[tile]));
+}
 
 /// Boxes around nodes that a graded mesh ties, and those that they follow: as far as particles across
 /// lattices may touch nodes, and where levels have clocks of their own, particles of two clocks.
@@ -219,10 +246,13 @@ void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::R
       (block < ground.block_count() ? census.on_lattice : census.across)[block % ground.tiles.count()] +=
           static_cast<std::int64_t>(set.block_start[block + 1] - set.block_start[block])
           << ground.clock_of_block(block);
+  RankShare& share =
+      ground.share.emplace(RankShare{.ranks = &ranks, .deal = {}, .updates = census.of_tiles()});
+  share.times.restart(ground.tiles.count());
+  weigh_by_time(share, census);
   const Together together = tiles_together(ground, structures, census);
-  ground.share =
-      RankShare{&ranks, deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together),
-                together.besides, std::move(structures)};
+  share.deal = deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together);
+  share.structures = std::move(structures);
   std::vector<Parcel> parcels(1);
   for (const Particles& set : ground.sets)
     pack(
@@ -266,7 +296,10 @@ void move_between_ranks(Ground& ground) {
   share.ranks->add(census.on_lattice);
   if (ground.mesh)
     share.ranks->add(census.across);
-  share.across = census.all_across();
+  std::vector<std::int64_t> updates = census.of_tiles();
+  weigh_by_time(share, census);
+  share.updates = std::move(updates);
+  share.times.restart(ground.tiles.count());
   const Together together = tiles_together(ground, share.structures, census);
   share.deal = follow(share.deal, ground.tiles, std::move(census.on_lattice), share.ranks->size(), together);
   std::vector<Parcel> parcels = empty_parcels(*share.ranks);

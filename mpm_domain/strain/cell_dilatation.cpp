@@ -9,6 +9,7 @@ namespace {
 
 /// Particles whose law is one task.
 struct StrainPart {
+  std::size_t tile;
   std::size_t set;
   std::size_t begin;
   std::size_t count;
@@ -19,23 +20,24 @@ struct StrainPart {
 std::vector<StrainPart> parts_of(const Ground& ground, int clock) {
   const ClockTiles& tiles = ground.clock_tiles[static_cast<std::size_t>(clock)];
   std::vector<StrainPart> parts;
-  const auto cut = [&](std::size_t s, const ParticleRange& range) {
+  const auto cut = [&](std::size_t tile, std::size_t s, const ParticleRange& range) {
     for (std::size_t first = range.begin; first < range.end; first += strain_chunk_size)
-      parts.push_back({s, first, std::min(strain_chunk_size, range.end - first)});
+      parts.push_back({tile, s, first, std::min(strain_chunk_size, range.end - first)});
   };
   for (std::size_t s = 0; s < ground.sets.size(); ++s) {
     if (!ground.sets[s].traits.cell_dilatation)
       continue;
     for (const std::size_t tile : tiles.sums.filled())
-      cut(s, ground.sets[s].in_block(ground.block(clock, tile)));
+      cut(tile, s, ground.sets[s].in_block(ground.block(clock, tile)));
     for (const AcrossTile& tile : tiles.across)
       if (tile.set == s)
-        cut(s, {tile.weights.first(), tile.weights.end()});
+        cut(tile.tile, s, {tile.weights.first(), tile.weights.end()});
   }
   return parts;
 }
 
 GatherSums strain_part(Ground& ground, const StrainPart& part, double dt) {
+  const TileTimer timer(ground.tile_times(), part.tile);
   const WaitingStrains& strains = ground.waiting_strains[part.set];
   LaneSums sums;
   Increments moved{}; // lanes beyond the last particle are read, and count nothing

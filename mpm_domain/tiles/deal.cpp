@@ -12,10 +12,10 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-std::int64_t particles_in(const std::vector<std::size_t>& tiles, const std::vector<std::int64_t>& particles) {
+std::int64_t load_of(const std::vector<std::size_t>& tiles, const std::vector<std::int64_t>& load) {
   std::int64_t sum = 0;
   for (const std::size_t tile : tiles)
-    sum += particles[tile];
+    sum += load[tile];
   return sum;
 }
 
@@ -42,11 +42,11 @@ std::uint64_t hilbert_place(std::uint32_t size, std::uint32_t x, std::uint32_t y
 struct Piece {
   std::uint64_t position;
   std::vector<std::size_t> tiles;
-  std::int64_t particles;
+  std::int64_t load;
 };
 
 /// All but those that are the first rank's anyway, along the curve.
-std::vector<Piece> pieces_along_curve(const TileMap& tiles, const std::vector<std::int64_t>& particles,
+std::vector<Piece> pieces_along_curve(const TileMap& tiles, const std::vector<std::int64_t>& load,
                                       const Together& together) {
   // The curve goes through tiles of the finest lattice, and meets others at their first corner.
   const Lattice& root = tiles.lattice(0);
@@ -64,20 +64,20 @@ std::vector<Piece> pieces_along_curve(const TileMap& tiles, const std::vector<st
     return hilbert_place(size, in_tiles(of.x0 + own.column * of.h - root.x0, tile_columns),
                          in_tiles(of.y0 + own.row * of.h - root.y0, tile_rows));
   };
-  std::vector<bool> is_taken(particles.size(), false);
+  std::vector<bool> is_taken(load.size(), false);
   for (const std::size_t tile : together.of_first)
     is_taken[tile] = true;
   std::vector<Piece> pieces;
   for (const std::vector<std::size_t>& group : together.groups) {
-    Piece piece{position_of(group.front()), group, particles_in(group, particles)};
+    Piece piece{position_of(group.front()), group, load_of(group, load)};
     for (const std::size_t tile : group)
       is_taken[tile] = true;
-    if (piece.particles > 0)
+    if (piece.load > 0)
       pieces.push_back(std::move(piece));
   }
-  for (std::size_t tile = 0; tile < particles.size(); ++tile)
-    if (particles[tile] > 0 && !is_taken[tile])
-      pieces.push_back({position_of(tile), {tile}, particles[tile]});
+  for (std::size_t tile = 0; tile < load.size(); ++tile)
+    if (load[tile] > 0 && !is_taken[tile])
+      pieces.push_back({position_of(tile), {tile}, load[tile]});
   std::ranges::sort(pieces, {}, &Piece::position);
   return pieces;
 }
@@ -88,7 +88,7 @@ std::size_t neighbour_with_particles(const Deal& deal, const TileMap& tiles, std
   const NodeBlock own = tiles.owned(tile);
   std::size_t found = tile;
   for (const std::size_t other : tiles.around(tile)) {
-    if (deal.particles[other] == 0)
+    if (deal.load[other] == 0)
       continue;
     const NodeBlock of_other = tiles.owned(other);
     if (of_other.column == own.column || of_other.row == own.row)
@@ -102,7 +102,7 @@ std::size_t neighbour_with_particles(const Deal& deal, const TileMap& tiles, std
 /// Gives tiles without particles to the owner of a neighbour with some, and those of a group to one owner.
 void adopt_empty(Deal& deal, const TileMap& tiles, const Together& together) {
   for (std::size_t tile = 0; tile < deal.owner.size(); ++tile) {
-    if (deal.particles[tile] > 0 || std::ranges::binary_search(together.of_first, tile))
+    if (deal.load[tile] > 0 || std::ranges::binary_search(together.of_first, tile))
       continue;
     const std::size_t neighbour = neighbour_with_particles(deal, tiles, tile);
     deal.owner[tile] = neighbour == tile ? Deal::nobody : deal.owner[neighbour];
@@ -110,7 +110,7 @@ void adopt_empty(Deal& deal, const TileMap& tiles, const Together& together) {
   for (const std::vector<std::size_t>& group : together.groups) {
     int owner = Deal::nobody;
     for (const std::size_t tile : group)
-      if (owner == Deal::nobody || deal.particles[tile] > 0)
+      if (owner == Deal::nobody || deal.load[tile] > 0)
         owner = deal.owner[tile];
     for (const std::size_t tile : group)
       deal.owner[tile] = owner;
@@ -120,12 +120,12 @@ void adopt_empty(Deal& deal, const TileMap& tiles, const Together& together) {
 /// Whether a deal has parted what is to stay together, or leaves particles to nobody.
 bool is_lost(const Deal& deal, const Together& together) {
   for (std::size_t tile = 0; tile < deal.owner.size(); ++tile)
-    if (deal.particles[tile] > 0 && deal.owner[tile] == Deal::nobody)
+    if (deal.load[tile] > 0 && deal.owner[tile] == Deal::nobody)
       return true;
   const auto is_parted = [&](const std::vector<std::size_t>& group) {
     int owner = Deal::nobody;
     for (const std::size_t tile : group) {
-      if (deal.particles[tile] == 0)
+      if (deal.load[tile] == 0)
         continue;
       if (owner != Deal::nobody && deal.owner[tile] != owner)
         return true;
@@ -139,11 +139,10 @@ bool is_lost(const Deal& deal, const Together& together) {
 
 } // namespace
 
-Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> particles, int ranks,
-              const Together& together) {
-  Deal deal{std::vector<int>(particles.size(), Deal::nobody), std::move(particles)};
-  std::int64_t total = std::accumulate(deal.particles.begin(), deal.particles.end(), std::int64_t{0});
-  std::int64_t before = particles_in(together.of_first, deal.particles) + together.besides;
+Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> load, int ranks, const Together& together) {
+  Deal deal{std::vector<int>(load.size(), Deal::nobody), std::move(load)};
+  std::int64_t total = std::accumulate(deal.load.begin(), deal.load.end(), std::int64_t{0});
+  std::int64_t before = load_of(together.of_first, deal.load) + together.besides;
   total += together.besides;
   for (const std::size_t tile : together.of_first)
     deal.owner[tile] = 0;
@@ -151,41 +150,40 @@ Deal deal_out(const TileMap& tiles, std::vector<std::int64_t> particles, int ran
   const int full = ranks > 1 && before > 0 && before * ranks >= total ? 1 : 0;
   if (full == 1)
     total -= std::exchange(before, 0);
-  for (const Piece& piece : pieces_along_curve(tiles, deal.particles, together)) {
-    // The rank in whose piece of the curve the middle of these particles lies.
+  for (const Piece& piece : pieces_along_curve(tiles, deal.load, together)) {
+    // The rank in whose piece of the curve the middle of this load lies.
     for (const std::size_t tile : piece.tiles)
-      deal.owner[tile] =
-          full + static_cast<int>((2 * before + piece.particles) * (ranks - full) / (2 * total));
-    before += piece.particles;
+      deal.owner[tile] = full + static_cast<int>((2 * before + piece.load) * (ranks - full) / (2 * total));
+    before += piece.load;
   }
   adopt_empty(deal, tiles, together);
   return deal;
 }
 
-Deal follow(const Deal& present, const TileMap& tiles, std::vector<std::int64_t> particles, int ranks,
+Deal follow(const Deal& present, const TileMap& tiles, std::vector<std::int64_t> load, int ranks,
             const Together& together) {
-  if (present.owner.size() != particles.size())
-    return deal_out(tiles, std::move(particles), ranks, together);
-  Deal next{present.owner, std::move(particles)};
+  if (present.owner.size() != load.size())
+    return deal_out(tiles, std::move(load), ranks, together);
+  Deal next{present.owner, std::move(load)};
   if (is_lost(next, together) || unevenness(next, ranks, together) > most_uneven)
-    return deal_out(tiles, std::move(next.particles), ranks, together);
+    return deal_out(tiles, std::move(next.load), ranks, together);
   adopt_empty(next, tiles, together);
   return next;
 }
 
 double unevenness(const Deal& deal, int ranks, const Together& together) {
-  std::vector<std::int64_t> load(static_cast<std::size_t>(ranks), 0);
-  load.front() = together.besides;
+  std::vector<std::int64_t> of_ranks(static_cast<std::size_t>(ranks), 0);
+  of_ranks.front() = together.besides;
   std::int64_t total = together.besides;
   for (std::size_t tile = 0; tile < deal.owner.size(); ++tile)
-    if (deal.particles[tile] > 0) {
-      load[static_cast<std::size_t>(deal.owner[tile])] += deal.particles[tile];
-      total += deal.particles[tile];
+    if (deal.load[tile] > 0) {
+      of_ranks[static_cast<std::size_t>(deal.owner[tile])] += deal.load[tile];
+      total += deal.load[tile];
     }
   const double mean = static_cast<double>(total) / static_cast<double>(ranks);
   const double least =
-      std::max(mean, static_cast<double>(particles_in(together.of_first, deal.particles) + together.besides));
-  return static_cast<double>(std::ranges::max(load)) / least;
+      std::max(mean, static_cast<double>(load_of(together.of_first, deal.load) + together.besides));
+  return static_cast<double>(std::ranges::max(of_ranks)) / least;
 }
 
 bool RankShare::is_mine(std::size_t tile) const {

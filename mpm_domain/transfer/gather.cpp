@@ -187,12 +187,14 @@ GatherTotals gather_tiles(Ground& ground, double dt, int clock) {
   const std::span<const std::size_t> filled = tiles.sums.filled();
   std::vector<GatherSums> sums(filled.size() + tiles.across.size());
   const auto across = [&](std::size_t n) {
+    const TileTimer timer(ground.tile_times(), tiles.across[n].tile);
     sums[filled.size() + n] = gather_across_tile<parts>(ground, tiles.across[n], dt);
   };
   if (parts.strain && some_wait(ground)) {
     clear_strains(ground);
     tiles.sums.add_to(ground.grid, cell_sums, ground.tiles, ground.workers, ground.windows,
                       [&](std::size_t n, double* window) {
+                        const TileTimer timer(ground.tile_times(), filled[n]);
                         sums[n] = gather_filled<parts>(ground, clock, filled[n], dt, window);
                         const NodeBlock position = ground.tiles.window(filled[n]);
                         return RowRange{position.row, position.end_row()};
@@ -202,10 +204,10 @@ GatherTotals gather_tiles(Ground& ground, double dt, int clock) {
     sums.insert(sums.end(), by_cells.begin(), by_cells.end());
   } else {
     ground.workers.run(sums.size(), [&](std::size_t task) {
-      if (task < filled.size())
-        sums[task] = gather_filled<parts>(ground, clock, filled[task], dt, nullptr);
-      else
-        across(task - filled.size());
+      if (task >= filled.size())
+        return across(task - filled.size());
+      const TileTimer timer(ground.tile_times(), filled[task]);
+      sums[task] = gather_filled<parts>(ground, clock, filled[task], dt, nullptr);
     });
   }
   constexpr bool adds_up = parts.strain || parts.position || parts.drift;

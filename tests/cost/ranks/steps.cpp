@@ -201,7 +201,7 @@ Rows describe(const Shaken& shaken, const Communicator& ranks) {
   const mpm_domain::Deal& deal = domain.share->deal;
   double tiles = 0.0;
   for (std::size_t tile = 0; tile < deal.owner.size(); ++tile)
-    tiles += deal.particles[tile] > 0 && domain.share->is_mine(tile) ? 1.0 : 0.0;
+    tiles += deal.load[tile] > 0 && domain.share->is_mine(tile) ? 1.0 : 0.0;
   return {{"particles", shaken.whole()},
           {"own particles", static_cast<double>(domain.particle_count())},
           {"own tiles", tiles},

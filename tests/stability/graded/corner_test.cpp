@@ -43,7 +43,7 @@ void expect_rest(double end) {
     for (const Particles& p : domain.sets)
       for (std::size_t k = 0; k < p.size(); ++k)
         fastest = std::max(fastest, std::hypot(p.vx[k], p.vy[k]));
-    for (const auto& [set, weights, sums] : domain.clock_tiles.front().across)
+    for (const auto& [tile, set, weights, sums] : domain.clock_tiles.front().across)
       for (std::size_t k = weights.first(); k < weights.end(); ++k)
         for (const FourWeights& w : weights.of(k))
           smallest_weight = std::min({smallest_weight, w.s[0], w.s[1], w.s[2], w.s[3]});

@@ -21,7 +21,7 @@ std::uint64_t nodes_to_send(const mpm_domain::Domain& domain) {
   const mpm_domain::TileMap& tiles = domain.tiles;
   std::uint64_t count = 0;
   for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
-    if (domain.share->deal.particles[tile] == 0 || !domain.share->is_mine(tile))
+    if (domain.share->deal.load[tile] == 0 || !domain.share->is_mine(tile))
       continue;
     const mpm_domain::NodeBlock window = tiles.window(tile);
     for (int row = window.row; row < window.end_row(); ++row)

@@ -325,8 +325,8 @@ TEST(Ranks, TakeOverParticlesOfOthers) {
   EXPECT_NE(before, owners());
   const mpm_domain::Deal& deal = run.domain().share->deal;
   // Where a rank has few tiles, a tile more or less is more than that.
-  const double mean = std::reduce(deal.particles.begin(), deal.particles.end(), 0.0) / ranks.size();
-  const double tile = static_cast<double>(std::ranges::max(deal.particles));
+  const double mean = std::reduce(deal.load.begin(), deal.load.end(), 0.0) / ranks.size();
+  const double tile = static_cast<double>(std::ranges::max(deal.load));
   EXPECT_LT(unevenness(deal, ranks.size()), ranks.size() > 4 ? 1.0 + tile / mean : mpm_domain::most_uneven);
 }
 
