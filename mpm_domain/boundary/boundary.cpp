@@ -44,6 +44,7 @@ void Boundary::remove_faces() {
   free_field_.clear();
   supports_ = {};
   motion_ = {};
+  near_ = {};
 }
 
 SavedNumbers Boundary::rest_state() {
@@ -59,10 +60,12 @@ void Boundary::follow_sort(const Ground& ground) {
   if (ground.mesh)
     find_levels(ground, faces_);
   soil_.follow_sort(ground, faces_);
+  near_.follow_sort(ground, faces_, soil_);
+  motion_.forget_weights();
 }
 
 void Boundary::exchange(Step& step, const FreeFieldSource& source) {
-  motion_.begin_step(step, faces_, soil_.all());
+  motion_.begin_step(step, faces_, near_, soil_.all());
   source(step.count, step.time, motion_.seen(), free_field_);
   for (std::size_t f = 0; f < faces_.size(); ++f)
     evaluate(f);
@@ -92,15 +95,21 @@ void Boundary::apply(Step& step) {
   forces_.add(step, loads());
 }
 
-BoundaryWork Boundary::follow_update(Step& step) {
-  if (step.ground.has_pore_pressure())
-    motion_.see_kick(step.ground.grid);
-  BoundaryWork work = forces_.work(step, loads());
-  if (step.ticks.is_first()) {
-    work.springs = supports_.work();
-    work.transfer += work.springs;
-  }
-  return work;
+ExactSums<BoundaryWork::count> Boundary::follow_update(Step& step) {
+  const Ground& ground = step.ground;
+  if (ground.has_pore_pressure())
+    motion_.see_kick(ground.grid);
+  ExactSums<BoundaryWork::count> sums = forces_.work(step, loads());
+  if (ground.share && ground.share->ranks->rank() > 0)
+    return sums;
+  // What all ranks work out counts on the first.
+  BoundaryWork work{.input = step.ticks.kick_of(0) * lean_.power(ground.grid)};
+  if (step.ticks.is_first())
+    work.springs = work.transfer = supports_.work();
+  const ExactSums<BoundaryWork::count> more = sums_of(work.numbers());
+  for (std::size_t part = 0; part < sums.size(); ++part)
+    sums[part] += more[part];
+  return sums;
 }
 
 Vector Boundary::traction(std::size_t face) const {

@@ -66,8 +66,9 @@ public:
   void exchange(Step& step, Support& support);
   /// At every tick: adds the forces and dashpots of the faces that are due to the nodes.
   void apply(Step& step);
-  /// After the update: the work of the boundary by its parts, the same on all ranks.
-  BoundaryWork follow_update(Step& step);
+  /// After the update: the work of the boundary by its parts that counts on this rank, as
+  /// BoundaryWork::numbers().
+  ExactSums<BoundaryWork::count> follow_update(Step& step);
   /// Leaves the boundary's forces out of the power that the remapped velocity makes.
   void take_off_remap_power(Step& step, int clock) const { forces_.take_off_remap_power(step, clock); }
 
@@ -78,7 +79,7 @@ public:
   std::span<const FaceSoil> soil() const { return soil_.all(); }
   /// The leaning sides, used where there is pore water.
   const LeaningSides& lean() const { return lean_; }
-  /// W of a face's nodes in its present step.
+  /// W of a face's nodes in its present step; none where other ranks alone work it out.
   std::span<const FaceWeight> weights(std::size_t face) const { return motion_.weights()[face]; }
   /// Traction of the boundary on a face at the start of its last step, Pa.
   Vector traction(std::size_t face) const;
@@ -112,11 +113,12 @@ private:
   SavedNumbers rest_state();
   void build_supports(const Ground& ground);
   void evaluate(std::size_t face);
-  FaceLoads loads() const { return {faces_, motion_, traction_, supports_.loads(), lean_}; }
+  FaceLoads loads() const { return {faces_, near_, motion_, traction_, supports_.loads(), lean_}; }
 
   std::vector<BoundaryFace> faces_;
   FaceSupports supports_;
   SoilAtFaces soil_;
+  NearFaces near_;
   FaceMotion motion_;
   FaceForces forces_;
   LeaningSides lean_;

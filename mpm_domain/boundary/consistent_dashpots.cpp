@@ -16,13 +16,14 @@ void ConsistentDashpots::find_inertia(const Grid& grid, const NodeField& dashpot
 
 /// One fixed-point step: computes a from g, then g from a.
 /// @param dashpots  L Z dt/2 of each face
-void ConsistentDashpots::iterate(const NodeField& force, std::span<const FaceWeights> weights,
-                                 std::span<const double> dashpots, Component& c) const {
+void ConsistentDashpots::iterate(const NodeField& force, std::span<const std::size_t> which,
+                                 std::span<const FaceWeights> weights, std::span<const double> dashpots,
+                                 Component& c) const {
   for (const std::size_t n : nodes_->all()) {
     c.a[n] = (force[n] + c.g[n]) * c.per_inertia[n];
     c.g[n] = 0.0;
   }
-  for (std::size_t f = 0; f < weights.size(); ++f) {
+  for (const std::size_t f : which) {
     const double z = dashpots[f];
     double mean = 0.0;
     for (const auto& [n, w] : weights[f])
@@ -41,12 +42,13 @@ void ConsistentDashpots::fit(std::size_t grid_size) {
 }
 
 void ConsistentDashpots::correct(Ground& ground, std::span<const BoundaryFace> faces,
-                                 std::span<const FaceWeights> weights, double dt) {
+                                 std::span<const std::size_t> which, std::span<const FaceWeights> weights,
+                                 double dt) {
   constexpr int steps = 3;
   Grid& grid = ground.grid;
   for (Component* c : {&x_, &y_})
     c->of_faces.resize(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
+  for (const std::size_t f : which) {
     const Vector z = dashpot_diagonal(faces[f]);
     const double share = 0.5 * dt * faces[f].length;
     x_.of_faces[f] = share * z.x;
@@ -61,17 +63,10 @@ void ConsistentDashpots::correct(Ground& ground, std::span<const BoundaryFace> f
     for (const std::size_t n : nodes_->all())
       c.g[n] = 0.0;
     for (int k = 0; k < steps; ++k)
-      iterate(force, weights, c.of_faces, c);
+      iterate(force, which, weights, c.of_faces, c);
     for (const std::size_t n : nodes_->all())
       force[n] += c.g[n];
   });
-}
-
-double ConsistentDashpots::power(const NodeField& vx, const NodeField& vy) const {
-  double sum = 0.0;
-  for (const std::size_t n : nodes_->all())
-    sum += x_.g[n] * vx[n] + y_.g[n] * vy[n];
-  return sum;
 }
 
 } // namespace tremolo::mpm_domain

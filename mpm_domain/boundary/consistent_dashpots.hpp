@@ -32,15 +32,14 @@ public:
   void fit(std::size_t grid_size);
 
   /// Adds g to the nodal forces; the faces' tractions and lumped dashpots are there already.
+  /// @param which   the faces that are worked out, as indices
   /// @param weights one a face; a face without any is left out
   /// @param dt time that the forces act for, s
-  void correct(Ground& ground, std::span<const BoundaryFace> faces, std::span<const FaceWeights> weights,
-               double dt);
+  void correct(Ground& ground, std::span<const BoundaryFace> faces, std::span<const std::size_t> which,
+               std::span<const FaceWeights> weights, double dt);
 
   /// g of a node that faces touch, N/m.
   Vector force_on(std::size_t node) const { return {x_.g[node], y_.g[node]}; }
-  /// Power of g on velocities of the grid's nodes, W/m.
-  double power(const NodeField& vx, const NodeField& vy) const;
 
 private:
   /// A component: nothing couples one with the other.
@@ -50,8 +49,8 @@ private:
   };
 
   void find_inertia(const Grid& grid, const NodeField& dashpot, double empty, double dt, Component& c) const;
-  void iterate(const NodeField& force, std::span<const FaceWeights> weights, std::span<const double> dashpots,
-               Component& c) const;
+  void iterate(const NodeField& force, std::span<const std::size_t> which,
+               std::span<const FaceWeights> weights, std::span<const double> dashpots, Component& c) const;
 
   const FaceNodes* nodes_;
   Component x_, y_;

@@ -88,7 +88,7 @@ void FaceForces::add(Step& step, const FaceLoads& loads) {
       for (const std::size_t n : nodes_.all())
         if (is_due(n))
           boundary[n] = 0.0;
-      for (std::size_t f = 0; f < weights.size(); ++f) {
+      for (const std::size_t f : loads.near.all()) {
         const Load* const of_face = &loads_[f * clocks];
         for (const auto& [node, w] : weights[f]) {
           const Load& load = of_face[one_clock ? 0 : step.nodes.clock_of(node)];
@@ -121,7 +121,7 @@ void FaceForces::find(int clock, const Ticks& ticks, const FaceLoads& loads) {
   std::array<double, most_clocks> steady{};
   for (int of_face = 0; of_face < ticks.clocks(); ++of_face)
     steady[static_cast<std::size_t>(of_face)] = ticks.steady_share(of_face);
-  for (std::size_t f = 0; f < loads.faces.size(); ++f) {
+  for (const std::size_t f : loads.near.all()) {
     const BoundaryFace& face = loads.faces[f];
     const int of_face = loads.motion.clock(f);
     // A node of a slower clock that the face has reached since the first tick waits for the next one.
@@ -151,7 +151,7 @@ void FaceForces::correct_dashpots(Step& step, const FaceLoads& loads) {
   const Ticks& ticks = step.ticks;
   const std::span<const FaceWeights> all = loads.motion.weights();
   if (ticks.clocks() == 1)
-    return dashpots_.front().correct(step.ground, loads.faces, all, ticks.kick_of(0));
+    return dashpots_.front().correct(step.ground, loads.faces, loads.near.all(), all, ticks.kick_of(0));
   consistent_.resize(dashpots_.size());
   for (int clock = ticks.first_due(); clock < ticks.clocks(); ++clock) {
     std::vector<FaceWeights>& weights = consistent_[static_cast<std::size_t>(clock)];
@@ -160,45 +160,47 @@ void FaceForces::correct_dashpots(Step& step, const FaceLoads& loads) {
       if (std::ranges::all_of(all[f],
                               [&](const FaceWeight& w) { return step.nodes.clock_of(w.node) == clock; }))
         weights[f] = all[f];
-    dashpots_[static_cast<std::size_t>(clock)].correct(step.ground, loads.faces, weights,
+    dashpots_[static_cast<std::size_t>(clock)].correct(step.ground, loads.faces, loads.near.all(), weights,
                                                        ticks.kick_of(clock));
   }
 }
 
-BoundaryWork FaceForces::work(Step& step, const FaceLoads& loads) const {
-  const Grid& grid = step.ground.grid;
+ExactSums<BoundaryWork::count> FaceForces::work(Step& step, const FaceLoads& loads) const {
+  const Ground& ground = step.ground;
+  const Grid& grid = ground.grid;
   const Ticks& ticks = step.ticks;
   const bool one_clock = step.nodes.one_clock();
   const std::span<const FaceWeights> weights = loads.motion.weights();
   std::array<double, most_clocks> kicks{};
   for (int clock = 0; clock < ticks.clocks(); ++clock)
     kicks[static_cast<std::size_t>(clock)] = ticks.kick_of(clock);
-  std::vector<BoundaryWork> works((weights.size() + faces_per_task - 1) / faces_per_task);
-  step.ground.workers.run(works.size(), [&](std::size_t task) {
+  const std::span<const std::size_t> counted = loads.near.counted();
+  std::vector<std::array<double, BoundaryWork::count>> works(counted.size());
+  for_faces(step.ground.workers, counted.size(), [&](std::size_t n) {
     std::array<Vector, most_clocks> v_of;
-    const std::size_t first = task * faces_per_task;
-    for (std::size_t f = first; f < std::min(first + faces_per_task, weights.size()); ++f) {
-      std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
-      for (const auto& [node, w] : weights[f]) {
-        Vector& v = v_of[one_clock ? 0 : static_cast<std::size_t>(step.nodes.clock_of(node))];
-        const double half = 0.5 * w;
-        v.x += half * (grid.vx_before[node] + grid.vx_after[node]);
-        v.y += half * (grid.vy_before[node] + grid.vy_after[node]);
-      }
-      add_work_of_face(f, loads, ticks, v_of, kicks, works[task]);
+    const std::size_t f = counted[n];
+    BoundaryWork work;
+    std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
+    for (const auto& [node, w] : weights[f]) {
+      Vector& v = v_of[one_clock ? 0 : static_cast<std::size_t>(step.nodes.clock_of(node))];
+      const double half = 0.5 * w;
+      v.x += half * (grid.vx_before[node] + grid.vx_after[node]);
+      v.y += half * (grid.vy_before[node] + grid.vy_after[node]);
     }
+    add_work_of_face(f, loads, ticks, v_of, kicks, work);
+    works[n] = work.numbers();
   });
-  BoundaryWork total;
-  for (const BoundaryWork& work : works)
-    total += work;
-  total.input += ticks.kick_of(0) * loads.lean.power(grid);
+  ExactSums<BoundaryWork::count> sums =
+      sums_of(std::span<const std::array<double, BoundaryWork::count>>(works));
   for (int clock = ticks.first_due(); clock < static_cast<int>(dashpots_.size()); ++clock) {
+    const double half_kick = 0.5 * ticks.kick_of(clock);
     const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
-    total.dashpots +=
-        0.5 * ticks.kick_of(clock) *
-        (dashpots.power(grid.vx_before, grid.vy_before) + dashpots.power(grid.vx_after, grid.vy_after));
+    for (const std::size_t n : nodes_.all())
+      if (ground.counts({n, n + 1}))
+        sums[1].add(half_kick * dot(dashpots.force_on(n), {grid.vx_before[n] + grid.vx_after[n],
+                                                           grid.vy_before[n] + grid.vy_after[n]}));
   }
-  return total;
+  return sums;
 }
 
 void FaceForces::take_off_remap_power(Step& step, int clock) const {

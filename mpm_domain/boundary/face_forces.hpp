@@ -15,6 +15,7 @@
 #include "mpm_domain/boundary/lean/leaning_sides.hpp"
 #include "mpm_domain/boundary/support.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -22,25 +23,24 @@ namespace tremolo::mpm_domain {
 
 /// Work of the boundary in an update, J/m.
 struct BoundaryWork {
+  static constexpr std::size_t count = 5;
+
   double held = 0.0; ///< of the static part
   double dashpots = 0.0;
-  double springs = 0.0; ///< taken up by the springs as v- has moved
   double input = 0.0;
-  double transfer = 0.0; ///< that, less what the springs have taken up on the nodes
+  double transfer = 0.0; ///< what springs have taken up as v- has moved, less what they have on the nodes
+  double springs = 0.0;  ///< taken up by the springs as v- has moved
 
-  BoundaryWork& operator+=(const BoundaryWork& more) {
-    held += more.held;
-    dashpots += more.dashpots;
-    springs += more.springs;
-    input += more.input;
-    transfer += more.transfer;
-    return *this;
+  std::array<double, count> numbers() const { return {held, dashpots, input, transfer, springs}; }
+  static BoundaryWork of(const std::array<double, count>& numbers) {
+    return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
   }
 };
 
 /// Tractions on the faces in their present steps, by face.
 struct FaceLoads {
   std::span<const BoundaryFace> faces;
+  const NearFaces& near; ///< those that are worked out here
   const FaceMotion& motion;
   std::span<const eq6::Traction> eq6;    ///< Pa
   std::span<const SupportLoad> supports; ///< none where none stand there
@@ -57,8 +57,8 @@ public:
   void follow_sort(const Ground& ground);
   /// Adds what the faces that are due exert at a tick to the nodes' forces and dashpots.
   void add(Step& step, const FaceLoads& loads);
-  /// Its work in the update that followed.
-  BoundaryWork work(Step& step, const FaceLoads& loads) const;
+  /// Its work in the update that followed: what counts on this rank, as BoundaryWork::numbers().
+  ExactSums<BoundaryWork::count> work(Step& step, const FaceLoads& loads) const;
   /// Takes off the power (W/m) of these forces on the difference between v+ and the remapped velocity, at the
   /// nodes of one clock that count on this rank.
   void take_off_remap_power(Step& step, int clock) const;

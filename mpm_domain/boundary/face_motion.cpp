@@ -57,8 +57,15 @@ void FaceMotion::weigh(Step& step, const BoundaryFace& face, std::size_t f, std:
     clock_[f] = std::min(clock_[f], step.nodes.clock_of(w.node));
 }
 
-void FaceMotion::begin_step(Step& step, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil) {
-  for_faces(step.ground.workers, faces.size(), [&](std::size_t f) {
+void FaceMotion::forget_weights() {
+  for (FaceWeights& weights : weights_)
+    weights.clear();
+}
+
+void FaceMotion::begin_step(Step& step, std::span<const BoundaryFace> faces, NearFaces& near,
+                            std::span<const FaceSoil> soil) {
+  for_faces(step.ground.workers, near.all().size(), [&](std::size_t n) {
+    const std::size_t f = near.all()[n];
     weigh(step, faces[f], f, soil);
     const Vector v = velocity_at(step.ground.grid, weights_[f]);
     if (step.ticks.clocks() > 1)
@@ -67,6 +74,8 @@ void FaceMotion::begin_step(Step& step, std::span<const BoundaryFace> faces, std
     mean_[f] = step.ticks.clocks() > 1 ? take_mean(f) : v;
     seen_mean_[f] = step.ticks.clocks() > 1 ? mean_[f] : seen_[f]; // water knows one clock
   });
+  if (near.share(step.ground, seen_))
+    mean_ = seen_mean_ = seen_;
   velocity_ = seen_;
 }
 

@@ -19,6 +19,7 @@
 // would hold up ground that settles while its water rises.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/boundary/near_faces.hpp"
 #include "mpm_domain/passes/step.hpp"
 
 #include <span>
@@ -36,9 +37,13 @@ public:
   FaceMotion() = default;
   explicit FaceMotion(std::size_t faces);
 
+  /// After a sort: faces that are no longer worked out here touch no nodes.
+  void forget_weights();
   /// At the first tick of a step: finds weights and clock of each face, and v^m for the exchange.
+  /// @param near  the faces that are worked out here; velocities of others come from other ranks
   /// @param soil  by face; empty where the positions of dry particles are read
-  void begin_step(Step& step, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil);
+  void begin_step(Step& step, std::span<const BoundaryFace> faces, NearFaces& near,
+                  std::span<const FaceSoil> soil);
   /// At a later tick: finds weights and v^m of the faces that are due.
   void go_on(Step& step, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil);
   /// After the update of the nodes, where there is water.

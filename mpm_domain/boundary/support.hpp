@@ -28,7 +28,7 @@ struct Exchange {
   const Ground& ground;
   WorkerPool& workers;
   std::span<const BoundaryFace> faces;
-  std::span<const FaceSoil> soil; ///< empty unless there is pore water or ranks share the ground
+  std::span<const FaceSoil> soil;    ///< empty unless there is pore water or ranks share the ground
   double time = 0.0;                 ///< s
   double dt = 0.0;                   ///< of the step that begins, s
   std::span<const Vector> seen;      ///< v^m as dashpots see it (face_motion.hpp), m/s

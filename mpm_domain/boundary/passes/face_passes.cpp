@@ -11,7 +11,8 @@ namespace tremolo::mpm_domain {
 namespace {
 
 void book_faces(Boundary& boundary, Step& step) {
-  step.bookings.add([&energy = step.energy, work = boundary.follow_update(step)] {
+  step.bookings.add(boundary.follow_update(step), [&energy = step.energy](const auto& numbers) {
+    const BoundaryWork work = BoundaryWork::of(numbers);
     energy.static_ += work.held;
     energy.dashpots += work.dashpots;
     energy.springs += work.springs;

@@ -314,6 +314,32 @@ TEST(Ranks, SettleWhenAllElseIsDone) {
   EXPECT_EQ(mpm_domain::recipe(domain, test_support::quiet_ground()).back().name, "totals over ranks");
 }
 
+/// Where the tiles in a corner take ten times as long as others, ranks that have these get fewer particles.
+TEST(Ranks, ShareTheTimeThatTilesTake) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  Domain domain(test_support::elastic_box(100.0, 40.0, 1.0));
+  share_out(domain, ranks);
+  mpm_domain::RankShare& share = *domain.share;
+  share.times.count_step();
+  for (std::size_t tile = 0; tile < domain.tiles.count(); ++tile)
+    if (share.is_mine(tile)) {
+      const mpm_domain::NodeBlock nodes = domain.tiles.owned(tile);
+      const bool slow = nodes.column < 2 * mpm_domain::tile_columns && nodes.row < 2 * mpm_domain::tile_rows;
+      share.times.add(tile, (slow ? 1000 : 60) * share.updates[tile]);
+    }
+  sort_particles(domain);
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(ranks.size()), 0);
+  counts[static_cast<std::size_t>(ranks.rank())] = static_cast<std::int64_t>(domain.particle_count());
+  ranks.add(counts);
+  const double mean = std::reduce(counts.begin(), counts.end(), 0.0) / ranks.size();
+  EXPECT_GT(static_cast<double>(std::ranges::max(counts)), 1.3 * mean);
+  const std::vector<std::int64_t>& load = share.deal.load;
+  const double load_of_rank = std::reduce(load.begin(), load.end(), 0.0) / ranks.size();
+  const double tile = static_cast<double>(std::ranges::max(load));
+  EXPECT_LT(unevenness(share.deal, ranks.size()), 1.0 + tile / load_of_rank);
+}
+
 /// Tiles of the falling slope change hands.
 TEST(Ranks, TakeOverParticlesOfOthers) {
   TREMOLO_NEED_RANKS();

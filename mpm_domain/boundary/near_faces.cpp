@@ -1,0 +1,70 @@
+#include "mpm_domain/boundary/near_faces.hpp"
+
+#include "mpm_domain/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tremolo::mpm_domain {
+
+namespace {
+
+/// Nodes from which a face may change the force on a node: with reduced dispersion it touches six along
+/// itself, once by its own force and three times by consistent dashpots, and a window reaches four beyond its
+/// tile.
+constexpr int reach = 4 * 5 + 4;
+
+/// Whether this rank owns a tile within reach of a face.
+bool is_near(const Ground& ground, const FacePosition& face) {
+  for (int level = 0; level < ground.soil_lattice_count(); ++level) {
+    const Lattice& lattice = ground.lattice(level);
+    const auto node = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
+    const int column = node(face.centre.x, lattice.x0);
+    const int row = node(face.centre.y, lattice.y0);
+    // Every tile that has nodes between the outermost ones is met, or the tile before it is.
+    for (int j = row - reach; j < row + reach + tile_rows; j += tile_rows)
+      for (int i = column - reach; i < column + reach + tile_columns; i += tile_columns)
+        if (ground.share->is_mine(
+                ground.tiles.tile_of(level, std::min(i, column + reach), std::min(j, row + reach))))
+          return true;
+  }
+  return false;
+}
+
+} // namespace
+
+void NearFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> faces,
+                            const SoilAtFaces& soil) {
+  near_.resize(faces.size());
+  std::iota(near_.begin(), near_.end(), std::size_t{0});
+  own_ = near_;
+  lacks_some_ =
+      ground.share && ground.clocks.count() == 1 && !ground.has_pore_pressure() && !ground.spec.periodic();
+  if (!ground.share)
+    return;
+  owners_ = soil.owners();
+  const auto known = owners_.known_to(static_cast<std::size_t>(ground.share->ranks->rank()));
+  own_.assign(known.begin(), known.end());
+  if (lacks_some_)
+    std::erase_if(near_, [&](std::size_t f) {
+      return !std::ranges::binary_search(own_, f) && !is_near(ground, soil.all()[f].position);
+    });
+}
+
+bool NearFaces::share(const Ground& ground, std::span<Vector> velocities) {
+  if (!lacks_some_)
+    return false;
+  exchange_all(*ground.share->ranks, numbers_,
+               SharedRows{&owners_, 2,
+                          [velocities](std::size_t f, double* numbers) {
+                            numbers[0] = velocities[f].x;
+                            numbers[1] = velocities[f].y;
+                          },
+                          [velocities](std::size_t f, const double* numbers) {
+                            velocities[f] = {numbers[0], numbers[1]};
+                          }});
+  return true;
+}
+
+} // namespace tremolo::mpm_domain
