@@ -6,6 +6,7 @@
 #include "mpm_domain/process/coupled_faces.hpp"
 #include "mpm_domain/process/output/stage_frames.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
 #include "results/run_checksums.hpp"
 #include "scene/plan/stages/stages.hpp"
 
@@ -91,6 +92,12 @@ std::string leave_frame(Domain& domain, const RunOfCase& run, const NotAtRest& f
   return fmt::format("{}{}; the frame in run.h5 shows where the ground moves", stage, failure.what());
 }
 
+/// A rank that ends takes the first one along, which has a frame to write.
+void wait_for_first(Communicator& ranks) {
+  double sign = 0.0;
+  ranks.follow_first({&sign, 1});
+}
+
 /// Makes the checkpoint from which the run can continue, and ends the run. The sources are needed for that
 /// alone.
 void end_after_stage(const Domain& domain, StaticStages& stages, const RunOfCase& run, double seconds) {
@@ -158,9 +165,12 @@ AtRest come_to_rest(Domain& domain, const RunOfCase& run, const results::Checkpo
       return {.seconds = watch.seconds(), .ended = true};
     }
   } catch (const NotAtRest& failure) {
-    if (run.client == nullptr)
-      throw;
-    throw std::runtime_error(leave_frame(failure.model ? *failure.model : domain, run, failure));
+    const std::string reason = run.client == nullptr
+                                   ? failure.what()
+                                   : leave_frame(failure.model ? *failure.model : domain, run, failure);
+    if (run.ranks != nullptr)
+      wait_for_first(*run.ranks);
+    throw std::runtime_error(reason);
   }
   const Reactions reactions = stages.finish();
   if (run.client != nullptr)
