@@ -54,6 +54,8 @@ public:
 
   /// After a sort: the grid may have grown, and particles of faces may have come to other cells.
   void follow_sort(const Ground& ground);
+  /// The faces that this rank works out.
+  const NearFaces& near_faces() const { return near_; }
   /// The nodes that faces may touch until the next sort, if ranks share the domain: each rank receives their
   /// sums.
   std::span<const std::size_t> shared_nodes() const { return soil_.shared_nodes(); }

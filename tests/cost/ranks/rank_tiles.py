@@ -24,6 +24,7 @@ BEFORE = (1, 0)  # columns, rows between the first node that a particle belongs 
 SHARED = 5  # columns, or rows, that two windows share
 WINDOW = (TILE[0] + SHARED, TILE[1] + SHARED)
 BESIDE = SHARED * WINDOW[1]  # nodes that go to a rank beside a tile
+REACH = 24  # nodes that a face may lie away from the tiles of a rank that works it out
 ABOVE = WINDOW[0] * SHARED  # nodes that go to a rank above or below it
 PARTICLES_PER_CELL = 4
 NOBODY = -1
@@ -108,6 +109,18 @@ class Tiles:
                 other = self.shifted(*step)
                 rim = filled & (other != NOBODY) & (other != self.owner)
                 counts[direction] += np.bincount(self.owner[rim], minlength=self.ranks)
+        return counts
+
+    def near_faces(self, columns, rows):
+        """Faces, by rank, from which a force may come to a node in the rank's windows: a tile of the rank lies within REACH
+        nodes."""
+        along, up = (MARGIN + np.repeat(np.arange(cells), 2) for cells in (columns, rows))
+        sides = [(column, row) for column in (MARGIN, MARGIN + columns) for row in up]
+        counts = np.zeros(self.ranks)
+        for column, row in sides + [(column, MARGIN) for column in along]:
+            around = [slice(max(0, (at - REACH) // tile), (at + REACH) // tile + 1) for at, tile in ((row, TILE[1]), (column, TILE[0]))]
+            near = np.unique(self.owner[tuple(around)])
+            counts[near[near != NOBODY]] += 1
         return counts
 
     def sent(self):

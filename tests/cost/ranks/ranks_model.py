@@ -4,7 +4,7 @@
 
     C  compute       u N/(P r)                                        u: fullest rank over the mean
     H  halo          2 (alpha + (m - 1) o) + b/beta                   m neighbours, b bytes in the two scatters of a step
-    B  boundary      F t_f                                            all F faces by every rank
+    B  boundary      n t_f + F t_e                                    n faces near the rank's tiles; all F, Eq. (6) alone
     A  share         k ((P - 1) o + alpha) + (P - 1)/P b_s/beta       k calls of all to all, b_s bytes, one message a pair
     S  follow_first  ceil(log2 P) (alpha + b_f/beta)                  the free field, down a tree
     R  totals        q 2 ceil(log2 P) (alpha + b_q/beta)              q sums or extremes, up a tree and down
@@ -40,6 +40,7 @@ class Machine:
     name: str
     rate: float  # particle updates a second of a node
     face: float  # time of a face in a step, s
+    eq6: float  # time of the part of it that every rank spends on every face, s
     alpha: float  # s
     overhead: float  # o, s
     beta: float  # bytes/s
@@ -58,7 +59,7 @@ class Calls:
 
 # One rank of 64 cores on InfiniBand. Rate: 25 million updates a core are 1.6e9; memory of 300 GB/s, 600 bytes a particle,
 # allows 0.5e9. alpha, o, beta: OSU benchmarks on a cluster with EDR InfiniBand (see the page) give 1.1 us, 0.27 us, 13.6 GB/s.
-CLUSTER = Machine("cluster (assumed)", 0.5e9, math.nan, 1.5e-6, 0.3e-6, 12e9, 256e9)
+CLUSTER = Machine("cluster (assumed)", 0.5e9, math.nan, math.nan, 1.5e-6, 0.3e-6, 12e9, 256e9)
 
 
 def box(particles):
@@ -76,26 +77,38 @@ def halo_bytes(particles, ranks):
 
 
 def share_bytes(columns, rows):
-    """What is told of the soil at all faces, and sums at all nodes near them."""
-    return NUMBER * (8 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
+    """What is told of the soil at all faces, their velocities, and sums at all nodes near them."""
+    return NUMBER * (12 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
+
+
+def near_faces(particles, ranks):
+    """Of a rank in a corner of the box, whose piece has a side along the base and one along a side of the box."""
+    columns, rows = box(particles)
+    if ranks == 1:
+        return rank_tiles.faces(columns, rows)
+    tiles = particles / ranks / (rank_tiles.PARTICLES_PER_CELL * rank_tiles.TILE[0] * rank_tiles.TILE[1])
+    cells = sum(rank_tiles.TILE) * math.sqrt(tiles) * MEAN_SHAPE + 2 * rank_tiles.REACH
+    return min(rank_tiles.faces(columns, rows), 2 * cells)
 
 
 def follow_first_bytes(columns, rows):
     return NUMBER * 5 * rank_tiles.faces(columns, rows)
 
 
-def step(machine, calls, particles, ranks, uneven=UNEVEN, cells=None, halo=None, neighbours=None):
+def step(machine, calls, particles, ranks, uneven=UNEVEN, cells=None, halo=None, neighbours=None, near=None):
     """The terms of a step, s, by name.
-    cells, halo, neighbours: columns and rows, bytes and neighbours of a rank; those of the typical box if left out."""
+    cells, halo, neighbours, near: columns and rows, bytes, neighbours and near faces of a rank; those of the typical box
+    if left out."""
     columns, rows = cells or box(particles)
     neighbours = min(NEIGHBOURS, ranks - 1) if neighbours is None else neighbours
     halo = halo_bytes(particles, ranks) if halo is None else halo
+    near = near_faces(particles, ranks) if near is None else near
     depth = math.ceil(math.log2(ranks))
     alpha, o, beta = machine.alpha, machine.overhead, machine.beta
     terms = {
         "compute": (uneven if ranks > 1 else 1.0) * particles / ranks / machine.rate,
         "halo": 0.0,
-        "boundary": rank_tiles.faces(columns, rows) * machine.face,
+        "boundary": near * (machine.face - machine.eq6) + rank_tiles.faces(columns, rows) * machine.eq6,
         "share": 0.0,
         "free field": 0.0,
         "totals": 0.0,
@@ -151,6 +164,7 @@ class Measured:
             f"measured, {threads} core{'s' if threads > 1 else ''} a node",
             particles / without,
             sum(self.of(f"pass: boundary {part}", threads=threads) for part in ("exchange", "tractions")) / faces,
+            self.of("seconds of Eq. (6)", threads=threads) / faces,
             min(there.values()),
             min(there.values()) / 2,  # both ends of a message share memory: half the latency is each one's work
             large / there[large],
@@ -160,7 +174,7 @@ class Measured:
 
 def cluster(measured):
     """Its faces cost what they cost here on two cores: the work of a rank on them is mostly one thread's."""
-    return replace(CLUSTER, face=measured.machine(2).face)
+    return replace(CLUSTER, face=measured.machine(2).face, eq6=measured.machine(2).eq6)
 
 
 def table(head, rows):
@@ -177,6 +191,7 @@ def print_machines(machines):
         [
             ["r, million updates a second of a node"] + [f"{m.rate / 1e6:.3g}" for m in machines],
             ["t_f, ns a face and step"] + [f"{m.face * 1e9:.3g}" for m in machines],
+            ["t_e, ns a face and step"] + [f"{m.eq6 * 1e9:.3g}" for m in machines],
             ["alpha, us"] + [f"{m.alpha * 1e6:.2g}" for m in machines],
             ["o, us"] + [f"{m.overhead * 1e6:.2g}" for m in machines],
             ["beta, GB/s"] + [f"{m.beta / 1e9:.2g}" for m in machines],
@@ -191,7 +206,7 @@ def print_check(measured):
     tiles = rank_tiles.Tiles(columns, rows, ranks)
     nodes, neighbours = tiles.sent()
     terms = step(machine, calls, measured.of("particles"), ranks, tiles.unevenness(), (columns, rows),
-                 nodes.max() * FIELDS * NUMBER, neighbours.max())  # fmt: skip
+                 nodes.max() * FIELDS * NUMBER, neighbours.max(), tiles.near_faces(columns, rows).max())  # fmt: skip
     rows_of_table = [[name, f"{1e3 * value:.3f}"] for name, value in terms.items()]
     total, time = sum(terms.values()), measured.shared("seconds")
     rows_of_table.append(["sum", f"{1e3 * total:.3f}"])

@@ -60,6 +60,7 @@ class Counts(unittest.TestCase):
         for (columns, rows, ranks), counted in self.counted.items():
             with self.subTest((columns, rows, ranks)):
                 self.assertEqual([rank_tiles.faces(columns, rows)] * ranks, counted["faces"])
+                self.assertEqual(rank_tiles.Tiles(columns, rows, ranks).near_faces(columns, rows).tolist(), counted["near faces"])
                 self.assertEqual([rank_tiles.boundary_nodes(columns, rows)] * ranks, counted["boundary nodes"])
                 self.assertEqual([ranks_model.share_bytes(columns, rows)] * ranks, counted["share bytes"])
                 self.assertEqual([ranks_model.follow_first_bytes(columns, rows)] * ranks, counted["follow_first bytes"])
@@ -87,6 +88,15 @@ class Perimeter(unittest.TestCase):
                 nodes, neighbours = rank_tiles.Tiles(*ranks_model.box(particles), ranks).sent()
                 self.assertAlmostEqual(1.0, nodes.mean() * ranks_model.FIELDS * ranks_model.NUMBER / ranks_model.halo_bytes(particles, ranks), delta=0.25)
                 self.assertAlmostEqual(ranks_model.NEIGHBOURS, neighbours.mean(), delta=1.0)
+
+
+    def test_gives_the_near_faces_of_a_large_box(self):
+        """The fullest rank has those of a piece in a corner, within a quarter."""
+        for particles, ranks in ((4e7, 64), (4e7, 100), (4e7, 333)):
+            with self.subTest((particles, ranks)):
+                columns, rows = ranks_model.box(particles)
+                near = rank_tiles.Tiles(columns, rows, ranks).near_faces(columns, rows)
+                self.assertAlmostEqual(1.0, near.max() / ranks_model.near_faces(particles, ranks), delta=0.25)
 
 
 if __name__ == "__main__":
