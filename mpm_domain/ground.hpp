@@ -10,6 +10,7 @@
 #include "mpm_domain/head/head.hpp"
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/spec/spec.hpp"
+#include "mpm_domain/tiles/cell_runs.hpp"
 #include "mpm_domain/tiles/deal.hpp"
 #include "mpm_domain/tiles/tile_map.hpp"
 #include "mpm_domain/tiles/tile_sums.hpp"
@@ -44,16 +45,15 @@ struct WaitingStrains {
 
 /// Changes of the pore pressure of the particles of a set that wait for their means (pore_pressure.hpp).
 struct WaitingPressures {
-  std::vector<double> compression;      ///< -V div(v_s + n w) dt, m2
-  std::vector<double> change;           ///< dp/K_f before the last mean of cells
-  std::vector<std::size_t> cell;        ///< the node that it begins at
-  std::vector<std::uint32_t> in_window; ///< where the cell stands in the window of the particle's tile
+  std::vector<double> compression; ///< -V div(v_s + n w) dt, m2
+  std::vector<double> excess;      ///< W p_e, N; after the filter its mean in the cell, p_e, Pa
+  std::vector<std::size_t> cell;   ///< of particles across lattices: the node that it begins at
+  std::vector<CellRuns> runs;      ///< by tile: the others, as they bring their pore volumes to nodes
 
   void resize(std::size_t particles) {
     compression.resize(particles);
-    change.resize(particles);
+    excess.resize(particles);
     cell.resize(particles);
-    in_window.resize(particles);
   }
 };
 

@@ -23,6 +23,7 @@ inline constexpr std::size_t chunk = 64;
 template <std::size_t rows>
 struct ChunkWeights {
   std::array<std::int32_t, chunk> first; ///< first node of the stencil, in the window
+  std::array<std::int32_t, chunk> cell;  ///< lower left node of the cell, in the window
   std::array<Lanes, chunk> xs, xg;
   std::array<std::array<double, chunk>, rows> ys, yg;
   std::array<double, chunk> xi, eta;      ///< cells above node 1 of a row, above row 0
@@ -103,7 +104,8 @@ refuse_stray(const Particles& p, std::size_t begin, std::size_t end, const NodeB
   refuse_stray(p, k, x_axis.h);
 }
 
-template <bool force, bool affine, typename Boxes, typename Group>
+/// @tparam cells  whether the cells of the particles are asked for
+template <bool force, bool affine, bool cells = false, typename Boxes, typename Group>
 [[gnu::always_inline]] inline void take_weights(const Particles& p, std::size_t k, std::size_t c, Group group,
                                                 const NodeArray& nodes, const Axis& x_axis,
                                                 const Axis& y_axis, const Boxes& boxes,
@@ -126,6 +128,10 @@ template <bool force, bool affine, typename Boxes, typename Group>
       w.xg[c + i] = g[i];
     for (std::size_t j = 0; j < Boxes::rows; ++j)
       store(&w.yg[j][c], wy.g[j]);
+  }
+  if constexpr (cells) {
+    const std::array<std::int32_t, 4> cell = at.cells(nodes);
+    std::copy(cell.begin(), cell.end(), &w.cell[c]);
   }
   if constexpr (affine) {
     store(&w.xi[c], at.xi);

@@ -47,14 +47,7 @@ void for_divergences(const AcrossTile& tile, const NodeField& field_x, const Nod
   }
 }
 
-/// act(k, group, sum S q) of a field of numbers.
-template <typename Act>
-void for_numbers(const Ground& ground, const Particles& p, const ParticleRange& range, std::size_t tile,
-                 const NodeField& field, const Act& act) {
-  for_readers(ground, p, range, tile,
-              [&](std::size_t k, auto group, const auto& reader) { act(k, group, reader.number(field)); });
-}
-
+/// act(k, sum S q) of a field of numbers.
 template <typename Act>
 void for_numbers(const AcrossTile& tile, const NodeField& field, const Act& act) {
   for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k) {
@@ -63,7 +56,7 @@ void for_numbers(const AcrossTile& tile, const NodeField& field, const Act& act)
       const auto& n = w.node;
       number += w.s * Lanes{field[n[0]], field[n[1]], field[n[2]], field[n[3]]};
     }
-    act(k, FewerThanFour(1), all(sum(number)));
+    act(k, sum(number));
   }
 }
 

@@ -126,18 +126,6 @@ struct Reader {
     return dot(x.g, transposed(along)) + dot(x.s, transposed(up));
   }
 
-  /// sum S q of a field of numbers
-  [[gnu::always_inline]] Lanes number(const NodeField& field) const {
-    std::array<Lanes, 4> sums{};
-    for (std::size_t k = 0; k < count; ++k) {
-      const double* nodes = field.data() + first[k];
-      sums[k] = y_s[0][k] * load(nodes);
-      for (std::size_t j = 1; j < rows; ++j)
-        sums[k] += y_s[j][k] * load(nodes += row);
-    }
-    return dot(x.s, transposed(sums));
-  }
-
   /// sum over the four nodes of a row
   static Lanes dot(const std::array<Lanes, 4>& a, const std::array<Lanes, 4>& b) {
     return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);

@@ -199,31 +199,59 @@ template <Pull pull, Motion motion, bool force, Around around, std::size_t rows>
     });
 }
 
-/// Numbers in a chunk.
-/// @param window    where the sums of the first number stand
+/// The numbers of a chunk.
 /// @param values_of  (k, group) -> the numbers of a group of particles from k on
-template <std::size_t count, std::size_t rows, typename ValuesOf>
-[[gnu::always_inline]] inline void scatter_numbers(std::size_t k, std::size_t part,
-                                                   const ChunkWeights<rows>& w, double* window,
-                                                   const ValuesOf& values_of) {
-  using Sums = ScalarSums<count, rows>;
+template <std::size_t count, typename ValuesOf>
+[[gnu::always_inline]] inline ChunkScalars<count> numbers_of(std::size_t k, std::size_t part,
+                                                             const ValuesOf& values_of) {
   ChunkScalars<count> values;
   by_fours(0, part, [&](std::size_t c, auto group) {
     const std::array<Lanes, count> of_group = values_of(k + c, group);
     for (std::size_t f = 0; f < count; ++f)
       group.store(&values[f][c], of_group[f]);
   });
+  return values;
+}
+
+/// Numbers in a chunk.
+/// @param window  where the sums of the first number stand
+template <std::size_t count, std::size_t rows, typename ValuesOf>
+[[gnu::always_inline]] inline void scatter_numbers(std::size_t k, std::size_t part,
+                                                   const ChunkWeights<rows>& w, double* window,
+                                                   const ValuesOf& values_of) {
+  using Sums = ScalarSums<count, rows>;
+  const ChunkScalars<count> values = numbers_of<count>(k, part, values_of);
   stream<Sums>(w, part, window,
                [&](Sums& sums, std::size_t c, auto is_first) { sums.template add<is_first>(values, w, c); });
 }
 
+/// The same, run by run of the particles of a cell. The runs keep what they bring of the last number.
+template <std::size_t count, std::size_t rows, typename ValuesOf>
+[[gnu::always_inline]] inline void scatter_runs(std::size_t k, std::size_t part, const ChunkWeights<rows>& w,
+                                                double* window, CellRuns& runs, const ValuesOf& values_of) {
+  const ChunkScalars<count> values = numbers_of<count>(k, part, values_of);
+  runs.expect(part);
+  for (std::size_t c = 0; c < part;) {
+    const std::int32_t first = w.first[c];
+    const std::int32_t cell = w.cell[c];
+    ScalarSums<count, rows> sums;
+    sums.template add<true>(values, w, c++);
+    while (c < part && w.first[c] == first && w.cell[c] == cell)
+      sums.template add<false>(values, w, c++);
+    sums.add_to(window, first);
+    runs.add(k + c, first, cell, sums.sums.back());
+  }
+}
+
 /// All calls in this function are inlined (`flatten`): a call would push the sums out of the registers.
+/// @param runs  take the shares of the pore volumes, with force and where there are any
 /// @returns the rows of the lattice that the particles touch
 template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, typename Boxes>
 [[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
                                         const Lattice& lattice, const NodeBlock& position, double* window,
-                                        double gravity) {
+                                        double gravity, [[maybe_unused]] CellRuns* runs) {
   constexpr std::size_t rows = Boxes::rows;
+  constexpr bool keeps_runs = force && coupling != PoreWaterCoupling::none;
   const NodeArray nodes(position);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
@@ -232,10 +260,12 @@ template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, 
   ChunkWeights<rows> w;
   FirstNodes seen(position, rows);
   ChunkStore store;
+  if constexpr (keeps_runs)
+    runs->restart(rows);
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t count = std::min(chunk, range.end - k);
     by_fours(0, count, [&](std::size_t c, auto group) {
-      take_weights<force, motion != Motion::none && around != Around::uniform>(
+      take_weights<force, motion != Motion::none && around != Around::uniform, keeps_runs>(
           p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
     if (!seen.in_window())
@@ -251,15 +281,15 @@ template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, 
       scatter_phase<WaterPhase::pull, motion, force, around>(water, count, w, lattice.h, g);
     }
     if constexpr (force && coupling == PoreWaterCoupling::flow)
-      scatter_numbers<4>(k, count, w, window + WaterPhase::first_scalar * window_nodes,
-                         [&](std::size_t of, auto group) {
-                           const auto [volume, resistance] = WaterPhase::scalars_of(p, of, group);
-                           const auto [buoyancy, pores] = numbers_of_water(p, of, group, gravity);
-                           return std::array{volume, resistance, buoyancy, pores};
-                         });
+      scatter_runs<4>(k, count, w, window + WaterPhase::first_scalar * window_nodes, *runs,
+                      [&](std::size_t of, auto group) {
+                        const auto [volume, resistance] = WaterPhase::scalars_of(p, of, group);
+                        const auto [buoyancy, pores] = numbers_of_water(p, of, group, gravity);
+                        return std::array{volume, resistance, buoyancy, pores};
+                      });
     if constexpr (force && coupling == PoreWaterCoupling::numbers)
-      scatter_numbers<2>(k, count, w, window + static_cast<std::size_t>(Sum::buoyancy) * window_nodes,
-                         [&](std::size_t of, auto group) { return numbers_of_water(p, of, group, gravity); });
+      scatter_runs<2>(k, count, w, window + static_cast<std::size_t>(Sum::buoyancy) * window_nodes, *runs,
+                      [&](std::size_t of, auto group) { return numbers_of_water(p, of, group, gravity); });
   }
   return seen.rows();
 }
@@ -291,9 +321,11 @@ template <std::size_t count, typename Boxes, typename ValuesOf>
 }
 
 /// Scatters the particles of a set in a tile, by the boxes and velocities that the set has.
+/// @param runs  take the shares of their pore volumes
 /// @returns the rows of the lattice that they touch
 template <PoreWaterCoupling coupling, Motion motion, bool force>
-RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::size_t tile, double* window) {
+RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::size_t tile, double* window,
+                     CellRuns* runs = nullptr) {
   const ParticleRange range = p.in_block(ground.block(clock, tile));
   if (range.begin == range.end)
     return {};
@@ -303,13 +335,13 @@ RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::s
   if constexpr (coupling == PoreWaterCoupling::none && !force)
     if (p.traits.bilinear)
       return scatter_range<coupling, motion, force, Around::bilinear, OneSquare>(p, range, lattice, position,
-                                                                                 window, gravity);
+                                                                                 window, gravity, runs);
   return for_boxes(p, [&]<typename Boxes>() {
     return p.traits.affine
                ? scatter_range<coupling, motion, force, Around::affine, Boxes>(p, range, lattice, position,
-                                                                               window, gravity)
+                                                                               window, gravity, runs)
                : scatter_range<coupling, motion, force, Around::uniform, Boxes>(p, range, lattice, position,
-                                                                                window, gravity);
+                                                                                window, gravity, runs);
   });
 }
 

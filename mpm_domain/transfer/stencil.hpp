@@ -103,10 +103,19 @@ struct Stencils {
 
   /// The first node of each particle in an array of nodes.
   std::array<std::int32_t, 4> first_nodes(const NodeArray& nodes) const {
-    const __m128i index = _mm256_cvttpd_epi32(y0 * nodes.row + x0 + nodes.first);
-    std::array<std::int32_t, 4> first;
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(first.data()), index);
-    return first;
+    return truncated(y0 * nodes.row + x0 + nodes.first);
+  }
+
+  /// The lower left node of each particle's cell: in row 1 of the stencil, if not in row 0.
+  std::array<std::int32_t, 4> cells(const NodeArray& nodes) const {
+    const Lanes in_row = choose(eta < 1.0, all(1.0), all(1.0 + nodes.row));
+    return truncated(y0 * nodes.row + x0 + nodes.first + in_row);
+  }
+
+  static std::array<std::int32_t, 4> truncated(const Lanes& values) {
+    std::array<std::int32_t, 4> whole;
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(whole.data()), _mm256_cvttpd_epi32(values));
+    return whole;
   }
 };
 

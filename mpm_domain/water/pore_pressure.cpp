@@ -9,7 +9,6 @@
 #include "mpm_domain/transfer/scatter_kernel.hpp"
 
 #include <array>
-#include <cmath>
 #include <span>
 #include <vector>
 
@@ -17,103 +16,122 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-WaitingPressures& waiting_of(Ground& ground, const Particles& p) {
-  return ground.waiting_pressures[static_cast<std::size_t>(&p - ground.sets.data())];
-}
+/// Values of nodes in the window of a tile, by rows. What lies beyond the lattice is not set.
+using WindowValues = std::array<double, window_nodes>;
 
-void find_cells(const Particles& p, std::size_t begin, std::size_t end, const CellFinder& finder,
-                WaitingPressures& waiting) {
-  for (std::size_t k = begin; k < end; ++k) {
-    const CellFinder::Cell cell = finder.at(p.x[k], p.y[k]);
-    waiting.cell[k] = cell.node;
-    waiting.in_window[k] = static_cast<std::uint32_t>(cell.in_window);
+/// @param value_of  (node, group) -> the values of a group of nodes from one on
+template <typename ValueOf>
+void read_window(const Ground& ground, std::size_t tile, WindowValues& values, const ValueOf& value_of) {
+  const Lattice& lattice = ground.tiles.lattice(ground.tiles.level_of(tile));
+  const NodeBlock window = ground.tiles.window(tile);
+  const NodeBlock part = overlap(window, {0, 0, lattice.nx, lattice.ny});
+  for (int row = part.row; row < part.end_row(); ++row) {
+    const std::size_t from = lattice.index(part.column, row);
+    double* const to = values.data() + (row - window.row) * window_columns + part.column - window.column;
+    by_fours(0, static_cast<std::size_t>(part.columns),
+             [&](std::size_t i, auto group) { group.store(to + i, value_of(from + i, group)); });
   }
 }
 
-/// The mean e of every cell, sum W e/sum W of its wet particles, which stands in cell_change then.
-/// @param of_tile    (set, range, tile) finds W e of particles on one lattice and their cells
-/// @param of_across  (set, tile) does so for others
-/// @param product    W e of particle k of set s
-template <typename OfTile, typename OfAcross, typename Product>
-void average_in_cells(Ground& ground, const OfTile& of_tile, const OfAcross& of_across,
-                      const Product& product) {
+/// The means of the cells that begin at the nodes.
+void read_means_of_cells(const Ground& ground, std::size_t tile, WindowValues& means) {
+  const Grid& grid = ground.grid;
+  read_window(ground, tile, means, [&](std::size_t n, auto group) {
+    const Lanes weight = group.load(&grid.cell_weight[n]);
+    return group.load(&grid.cell_change[n]) * inverse(weight, weight > 0.0);
+  });
+}
+
+RowRange all_rows(const Ground& ground, std::size_t tile) {
+  const NodeBlock window = ground.tiles.window(tile);
+  return {window.row, window.end_row()};
+}
+
+/// Sums W and W e over the wet particles of every cell.
+/// @param sum_runs   (set, range, tile, sums) adds up those of particles on one lattice
+/// @param of_across  (set, tile) finds W e of others, which then stands in their excess
+template <typename SumRuns, typename OfAcross>
+void sum_in_cells(Ground& ground, const SumRuns& sum_runs, const OfAcross& of_across) {
   clear_cells(ground);
   ClockTiles& tiles = ground.clock_tiles.front();
   tiles.sums.add_to(ground.grid, cell_sums, ground.tiles, ground.workers, ground.windows,
                     [&](std::size_t n, double* window) {
                       const std::size_t tile = tiles.sums.filled()[n];
-                      const CellWindow sums(window);
-                      bool any = false;
+                      RowRange rows;
                       for (std::size_t s = 0; s < ground.sets.size(); ++s) {
-                        const Particles& p = ground.sets[s];
-                        const ParticleRange range = p.in_block(ground.block(0, tile));
-                        if (!takes_pressure(p) || range.begin == range.end)
+                        const ParticleRange range = ground.sets[s].in_block(ground.block(0, tile));
+                        if (!takes_pressure(ground.sets[s]) || range.begin == range.end)
                           continue;
-                        any = true;
-                        of_tile(s, range, tile);
-                        const std::uint32_t* const cell = ground.waiting_pressures[s].in_window.data();
-                        for (std::size_t k = range.begin; k < range.end; ++k)
-                          sums.add(cell[k], pore_volume(p, k), product(s, k));
+                        sum_runs(s, range, tile, CellWindow(window));
+                        rows = all_rows(ground, tile);
                       }
-                      const NodeBlock position = ground.tiles.window(tile);
-                      return any ? RowRange{position.row, position.end_row()} : RowRange{};
+                      return rows;
                     });
   ground.workers.run(tiles.across.size(), [&](std::size_t task) {
     const AcrossTile& tile = tiles.across[task];
     if (takes_pressure(ground.sets[tile.set]))
       of_across(tile.set, tile);
   });
-  complete_cells(ground, tiles, takes_pressure, [&](std::size_t s, std::size_t k) {
-    return CellValues{ground.waiting_pressures[s].cell[k], pore_volume(ground.sets[s], k), product(s, k)};
-  });
-  Grid& grid = ground.grid;
-  ground.workers.run(ground.row_count(), [&](std::size_t row) {
-    const NodeRange nodes = ground.row(row);
-    by_fours(nodes.begin, nodes.end, [&](std::size_t n, auto group) {
-      const Lanes weight = group.load(&grid.cell_weight[n]);
-      group.store(&grid.cell_change[n], group.load(&grid.cell_change[n]) * inverse(weight, weight > 0.0));
-    });
+}
+
+/// Adds what particles across lattices bring to their cells.
+/// @param product  of a set: its W e
+void complete_wet_cells(Ground& ground, std::vector<double> WaitingPressures::*product) {
+  complete_cells(ground, ground.clock_tiles.front(), takes_pressure, [&](std::size_t s, std::size_t k) {
+    const WaitingPressures& waiting = ground.waiting_pressures[s];
+    return CellValues{waiting.cell[k], pore_volume(ground.sets[s], k), (waiting.*product)[k]};
   });
 }
 
-/// C of e = -dt theta/n.
+/// C of e = -dt theta/n. The excess pressures wait as W p_e.
 /// @param flux_x,flux_y  v_s + n w
 void compress(Ground& ground, double dt, const NodeField& flux_x, const NodeField& flux_y) {
   const auto keep = [&](std::size_t s) {
-    return [&p = ground.sets[s], to = ground.waiting_pressures[s].compression.data(),
+    WaitingPressures& waiting = ground.waiting_pressures[s];
+    return [&p = ground.sets[s], compression = waiting.compression.data(), excess = waiting.excess.data(),
             dt](std::size_t k, auto group, const Lanes& divergence) {
-      group.store(&to[k], -dt * group.load(&p.volume[k]) * divergence);
+      group.store(&compression[k], -dt * group.load(&p.volume[k]) * divergence);
+      group.store(&excess[k],
+                  pore_volume(p, k, group) * (group.load(&p.pore_pressure[k]) - rest_pressure(p, k, group)));
     };
   };
-  average_in_cells(
+  sum_in_cells(
       ground,
-      [&](std::size_t s, const ParticleRange& range, std::size_t tile) {
-        const Particles& p = ground.sets[s];
-        for_divergences(ground, p, range, tile, flux_x, flux_y, keep(s));
-        find_cells(p, range.begin, range.end, CellFinder(ground.tiles, tile), ground.waiting_pressures[s]);
+      [&](std::size_t s, const ParticleRange& range, std::size_t tile, const CellWindow& sums) {
+        for_divergences(ground, ground.sets[s], range, tile, flux_x, flux_y, keep(s));
+        WaitingPressures& waiting = ground.waiting_pressures[s];
+        std::size_t k = range.begin;
+        for (CellRun& run : waiting.runs[tile].all()) {
+          double compression = 0.0;
+          double excess = 0.0;
+          for (; k < run.end; ++k) {
+            compression += waiting.compression[k];
+            excess += waiting.excess[k];
+          }
+          run.product = excess;
+          sums.add(static_cast<std::size_t>(run.cell), run.weight, compression);
+        }
       },
       [&](std::size_t s, const AcrossTile& tile) {
         for_divergences(tile, flux_x, flux_y, keep(s));
-        find_cells(ground.sets[s], tile.weights.first(), tile.weights.end(), CellFinder(*ground.mesh),
-                   ground.waiting_pressures[s]);
-      },
-      [&](std::size_t s, std::size_t k) { return ground.waiting_pressures[s].compression[k]; });
+        const Particles& p = ground.sets[s];
+        const CellFinder finder(*ground.mesh);
+        for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k)
+          ground.waiting_pressures[s].cell[k] = finder.at(p.x[k], p.y[k]).node;
+      });
+  complete_wet_cells(ground, &WaitingPressures::compression);
 }
 
-/// The means of the cells of a group of particles.
-template <typename Group>
-Lanes means_of_cells(const Grid& grid, const WaitingPressures& waiting, std::size_t k, Group group) {
-  const std::size_t* const cell = waiting.cell.data() + k;
-  Lanes mean{};
-  for (std::size_t lane = 0; lane < group.count; ++lane)
-    mean[lane] = grid.cell_change[cell[lane]];
-  return mean;
-}
-
-/// W e of a group of wet particles.
-template <typename Group>
-Lanes compression_of(Ground& ground, const Particles& p, std::size_t k, Group group) {
-  return pore_volume(p, k, group) * means_of_cells(ground.grid, waiting_of(ground, p), k, group);
+/// Adds what the runs of a set in a tile bring to nodes: their shares of the means of their cells.
+template <std::size_t rows>
+void add_runs(const CellRuns& runs, const WindowValues& means, double* window) {
+  const Lanes* share = runs.shares();
+  for (const CellRun& run : runs.all()) {
+    const double mean = means[static_cast<std::size_t>(run.cell)];
+    double* nodes = window + run.first;
+    for (std::size_t j = 0; j < rows; ++j, nodes += window_columns)
+      store(nodes, load(nodes) + mean * *share++);
+  }
 }
 
 /// The mean at nodes, which A takes of the means of cells.
@@ -126,17 +144,23 @@ void average_at_nodes(Ground& ground, std::span<const NodeRange> nodes, std::spa
   add_sums(
       ground, 0, fields,
       [&](const Particles& p, std::size_t tile, double* window) {
-        if (!takes_pressure(p))
+        const ParticleRange range = p.in_block(ground.block(0, tile));
+        if (!takes_pressure(p) || range.begin == range.end)
           return RowRange{};
-        return scatter_scalars<1>(
-            ground, p, 0, tile, window, Sum::compression,
-            [&](std::size_t k, auto group) { return std::array{compression_of(ground, p, k, group)}; });
+        WindowValues means;
+        read_means_of_cells(ground, tile, means);
+        for_boxes(p, [&]<typename Boxes>() {
+          add_runs<Boxes::rows>(waiting_of(ground, p).runs[tile], means,
+                                window + fields.front().first * window_nodes);
+        });
+        return all_rows(ground, tile);
       },
       [&](AcrossTile& tile) {
         const Particles& p = ground.sets[tile.set];
         add_across_tile(tile, fields.front(), [&](std::size_t k, const FourWeights& w, const auto& add) {
           if (takes_pressure(p))
-            add(fields.front().first, compression_of(ground, p, k, FewerThanFour(1))[0] * w.s);
+            add(fields.front().first,
+                pore_volume(p, k) * mean_of_cell(grid, waiting_of(ground, p).cell[k]) * w.s);
         });
       });
   fold(ground, NodeGroup::compression, ties);
@@ -149,37 +173,68 @@ void average_at_nodes(Ground& ground, std::span<const NodeRange> nodes, std::spa
   prolong(ground, NodeGroup::compression, ties);
 }
 
+/// Adds up in cells what runs have of the excess, and K_f times what they read from the nodes.
+template <std::size_t rows>
+void sum_excess(const CellRuns& runs, const WindowValues& means, double bulk_modulus,
+                const CellWindow& sums) {
+  const Lanes* share = runs.shares();
+  for (const CellRun& run : runs.all()) {
+    const double* nodes = means.data() + run.first;
+    Lanes read = *share++ * load(nodes);
+    for (std::size_t j = 1; j < rows; ++j)
+      read += *share++ * load(nodes += window_columns);
+    sums.add(static_cast<std::size_t>(run.cell), run.weight, run.product + bulk_modulus * sum(read));
+  }
+}
+
 /// C of the excess pressures, which take up K_f times what particles read from the nodes.
 void average_again(Ground& ground) {
   const NodeField& mean = ground.grid.compression;
-  const auto keep = [&](std::size_t s) {
-    return [to = ground.waiting_pressures[s].change.data()](std::size_t k, auto group, const Lanes& change) {
-      group.store(&to[k], change);
-    };
-  };
-  average_in_cells(
+  sum_in_cells(
       ground,
-      [&](std::size_t s, const ParticleRange& range, std::size_t tile) {
-        for_numbers(ground, ground.sets[s], range, tile, mean, keep(s));
-      },
-      [&](std::size_t s, const AcrossTile& tile) { for_numbers(tile, mean, keep(s)); },
-      [&](std::size_t s, std::size_t k) {
+      [&](std::size_t s, const ParticleRange&, std::size_t tile, const CellWindow& sums) {
         const Particles& p = ground.sets[s];
-        const double excess = p.pore_pressure[k] - rest_pressure(p, k);
-        return pore_volume(p, k) *
-               (excess + p.water->fluid.bulk_modulus * ground.waiting_pressures[s].change[k]);
+        WindowValues means;
+        read_window(ground, tile, means, [&](std::size_t n, auto group) { return group.load(&mean[n]); });
+        for_boxes(p, [&]<typename Boxes>() {
+          sum_excess<Boxes::rows>(ground.waiting_pressures[s].runs[tile], means, p.water->fluid.bulk_modulus,
+                                  sums);
+        });
+      },
+      [&](std::size_t s, const AcrossTile& tile) {
+        const Particles& p = ground.sets[s];
+        double* const excess = ground.waiting_pressures[s].excess.data();
+        for_numbers(tile, mean, [&](std::size_t k, double change) {
+          excess[k] += pore_volume(p, k) * p.water->fluid.bulk_modulus * change;
+        });
       });
+  complete_wet_cells(ground, &WaitingPressures::excess);
 }
 
-/// Gives a range the pressures of its cells; returns the work by the trapezoidal rule.
-double take_pressures(Ground& ground, Particles& p, std::size_t begin, std::size_t end) {
-  const WaitingPressures& waiting = waiting_of(ground, p);
+/// Gives the particles of a block the excess pressures of their cells.
+void take_excess(Ground& ground, const Particles& p, std::size_t block) {
+  WaitingPressures& waiting = waiting_of(ground, p);
+  std::size_t k = p.in_block(block).begin;
+  if (block >= ground.block_count()) {
+    for (; k < p.in_block(block).end; ++k)
+      waiting.excess[k] = mean_of_cell(ground.grid, waiting.cell[k]);
+    return;
+  }
+  WindowValues means;
+  read_means_of_cells(ground, block, means); // on the only clock a block is a tile
+  for (const CellRun& run : waiting.runs[block].all())
+    for (const double mean = means[static_cast<std::size_t>(run.cell)]; k < run.end; ++k)
+      waiting.excess[k] = mean;
+}
+
+/// Gives a range its pressures; returns the work by the trapezoidal rule.
+double take_pressures(Particles& p, const ParticleRange& range, const WaitingPressures& waiting) {
   const Lanes least = all(p.water->fluid.cavitation_pressure);
   Lanes work{};
-  by_fours(begin, end, [&](std::size_t k, auto group) {
+  by_fours(range.begin, range.end, [&](std::size_t k, auto group) {
     const Lanes before = group.load(&p.pore_pressure[k]);
     const Lanes at_rest = rest_pressure(p, k, group);
-    const Lanes after = at_rest + means_of_cells(ground.grid, waiting, k, group);
+    const Lanes after = at_rest + group.load(&waiting.excess[k]);
     group.store(&p.pore_pressure[k], after);
     work += (0.5 * (larger(before, least) + larger(after, least)) - at_rest) *
             group.load(&waiting.compression[k]);
@@ -194,15 +249,19 @@ ExactSums<1> take_pressures(Ground& ground) {
   std::vector<std::array<double, 1>> works(blocks);
   ground.workers.run(blocks, [&](std::size_t block) {
     for (Particles& p : ground.sets)
-      if (takes_pressure(p)) {
-        const ParticleRange range = p.in_block(block);
-        works[block][0] += take_pressures(ground, p, range.begin, range.end);
+      if (const ParticleRange range = p.in_block(block); takes_pressure(p) && range.begin < range.end) {
+        take_excess(ground, p, block);
+        works[block][0] += take_pressures(p, range, waiting_of(ground, p));
       }
   });
   return sums_of(std::span<const std::array<double, 1>>(works));
 }
 
 } // namespace
+
+WaitingPressures& waiting_of(Ground& ground, const Particles& p) {
+  return ground.waiting_pressures[static_cast<std::size_t>(&p - ground.sets.data())];
+}
 
 ExactSums<1> update_pressures(Ground& ground, double dt, const NodeField& flux_x, const NodeField& flux_y,
                               std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {

@@ -35,6 +35,9 @@
 
 namespace tremolo::mpm_domain {
 
+/// What waits in a set of the ground.
+WaitingPressures& waiting_of(Ground& ground, const Particles& p);
+
 /// Brings the pore pressures of all wet particles that do not drain in a static stage over a step of dt (s),
 /// before they move. The nodes have the
 /// sums of scatter_mixture().

@@ -3,6 +3,7 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/transfer/add_sums.hpp"
 #include "mpm_domain/transfer/scatter_kernel.hpp"
+#include "mpm_domain/water/pore_pressure.hpp"
 #include "mpm_domain/water/water_gather.hpp"
 
 #include <algorithm>
@@ -58,10 +59,11 @@ void add_mixture(Ground& ground, std::span<const SumRange> fields) {
       [&](Particles& p, std::size_t tile, double* window) {
         if constexpr (takes_velocities)
           gather_mixture(ground, p, tile);
+        CellRuns* const runs = p.water ? &waiting_of(ground, p).runs[tile] : nullptr;
         if (p.traits.flowing)
-          return scatter_set<PoreWaterCoupling::flow, motion, force>(ground, p, 0, tile, window);
+          return scatter_set<PoreWaterCoupling::flow, motion, force>(ground, p, 0, tile, window, runs);
         RowRange rows =
-            p.water ? scatter_set<PoreWaterCoupling::numbers, motion, force>(ground, p, 0, tile, window)
+            p.water ? scatter_set<PoreWaterCoupling::numbers, motion, force>(ground, p, 0, tile, window, runs)
                     : scatter_set<PoreWaterCoupling::none, motion, force>(ground, p, 0, tile, window);
         if (force && ground.has_flow() && is_sealed(ground, p))
           rows.add(seal_tile(ground, p, tile, window));
@@ -108,6 +110,8 @@ constexpr std::array momenta{NodeGroup::momentum, NodeGroup::water_momentum};
 void scatter_mixture(Ground& ground, std::span<const NodeRange> nodes, std::span<const std::size_t> ties) {
   const std::span groups = std::span(of_mixture).first(ground.has_flow() ? of_mixture.size() : without_flow);
   clear_groups(ground, groups, nodes);
+  for (WaitingPressures& waiting : ground.waiting_pressures)
+    waiting.runs.resize(ground.tiles.count());
   add_mixture<Motion::mass_and_momentum, true>(ground, scattered_sums(ground.grid.traits));
   for (const NodeGroup group : groups)
     fold(ground, group, ties);

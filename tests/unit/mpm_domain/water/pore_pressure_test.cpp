@@ -5,6 +5,8 @@
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/particles/water/pore_volume.hpp"
 #include "mpm_domain/particles/water/rest_pressure.hpp"
+#include "mpm_domain/prop/particle_nodes.hpp"
+#include "mpm_domain/tiles/cell_means.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 #include "mpm_domain/water/mixture_update.hpp"
 #include "mpm_domain/water/pore_pressure.hpp"
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <random>
 
@@ -49,7 +52,9 @@ protected:
     return spec;
   }
 
-  PorePressure() : domain(wet_spec()) {
+  PorePressure() : domain(wet_spec()) { disturb(domain); }
+
+  static void disturb(Domain& domain) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> jitter(-0.1, 0.1);
     for (Particles& set : domain.sets)
@@ -63,7 +68,7 @@ protected:
   }
 
   /// Velocities of grains and water at random (m/s), and the flux of both; tied nodes follow.
-  void set_flow(unsigned seed, double size) {
+  static void set_flow(Domain& domain, unsigned seed, double size) {
     std::mt19937 random(seed);
     std::normal_distribution<double> speed(0.0, 1.0);
     Grid& grid = domain.grid;
@@ -74,14 +79,42 @@ protected:
     prolong(domain, NodeGroup::volume_flux);
   }
 
+  /// The cell of each particle of a set: the node that it begins at.
+  std::vector<std::size_t> cells(std::size_t s) const {
+    const CellFinder finder = domain.mesh ? CellFinder(*domain.mesh) : CellFinder(domain.tiles, 0);
+    std::vector<std::size_t> all;
+    for (std::size_t k = 0; k < domain.sets[s].size(); ++k)
+      all.push_back(finder.at(domain.sets[s].x[k], domain.sets[s].y[k]).node);
+    return all;
+  }
+
+  /// What particles read of the means at nodes, A C e.
+  std::vector<std::vector<double>> read_means() const {
+    std::vector<std::vector<double>> all;
+    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+      all.emplace_back();
+      for (std::size_t k = 0; k < domain.sets[s].size(); ++k) {
+        std::vector<NodeShare> nodes;
+        add_nodes(domain, s, k, 1.0, nodes);
+        double& read = all.back().emplace_back(0.0);
+        for (const NodeShare& of : nodes)
+          read += of.share * domain.grid.compression[of.node];
+      }
+    }
+    return all;
+  }
+
   /// Changes of the pressures in the flow of a seed, whose velocities have this size (m/s).
   std::vector<std::vector<double>> changes(unsigned seed, double size = 1.0) {
+    return changes_of(domain, seed, size);
+  }
+  static std::vector<std::vector<double>> changes_of(Domain& domain, unsigned seed, double size) {
     std::vector<std::vector<double>> before;
     for (const Particles& set : domain.sets)
       before.push_back(set.pore_pressure);
     const ClockNodes nodes(domain);
     scatter_mixture(domain, nodes.of(0), nodes.ties_of(0));
-    set_flow(seed, size);
+    set_flow(domain, seed, size);
     update_pressures(domain, dt, domain.grid.flux_x, domain.grid.flux_y, nodes.of(0), nodes.ties_of(0));
     for (std::size_t s = 0; s < domain.sets.size(); ++s)
       for (std::size_t k = 0; k < domain.sets[s].size(); ++k)
@@ -168,18 +201,18 @@ TEST_P(PorePressure, NodesShareOutWhatParticlesBring) {
 /// With a and b what two flows compress, a . F b = b . F a and a . F a >= 0. Without the last mean of cells,
 /// A C in place of C A C, it is not.
 TEST_P(PorePressure, FilterIsSelfAdjoint) {
-  const auto waiting = [&](std::vector<double> WaitingPressures::*field) {
+  const auto compressions = [&] {
     std::vector<std::vector<double>> all;
     for (const WaitingPressures& of_set : domain.waiting_pressures)
-      all.push_back(of_set.*field);
+      all.push_back(of_set.compression);
     return all;
   };
   const auto change_a = changes(3);
-  const auto a = waiting(&WaitingPressures::compression);
-  const auto wrong_a = waiting(&WaitingPressures::change);
+  const auto a = compressions();
+  const auto wrong_a = read_means();
   const auto change_b = changes(4);
-  const auto b = waiting(&WaitingPressures::compression);
-  const auto wrong_b = waiting(&WaitingPressures::change);
+  const auto b = compressions();
+  const auto wrong_b = read_means();
   const auto product = [&](const auto& x, const auto& y) {
     return sum([&](auto s, auto k) { return x[s][k] * y[s][k]; });
   };
@@ -211,23 +244,85 @@ TEST_P(PorePressure, CellsEvenOut) {
   const double size = sum([&](auto s, auto k) { return pores(s, k) * std::abs(of(s, k)); });
   EXPECT_NEAR(sum([&](auto s, auto k) { return pores(s, k) * change[s][k]; }), 0.0, 1e-13 * size);
   EXPECT_LT(energy(after), 0.5 * energy(of)); // some four particles a cell
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    for (std::size_t k = 1; k < domain.sets[s].size(); ++k) {
-      const auto& cell = domain.waiting_pressures[s].cell;
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    const std::vector<std::size_t> cell = cells(s);
+    for (std::size_t k = 1; k < cell.size(); ++k) {
       const auto same = static_cast<std::size_t>(std::ranges::find(cell, cell[k]) - cell.begin());
       EXPECT_NEAR(after(s, k), after(s, same), 1e-12 * 1e5);
     }
+  }
 }
 
 /// A pressure is that of its cell.
 TEST_P(PorePressure, IsTheSameThroughoutACell) {
   const auto change = changes(5);
-  for (std::size_t s = 0; s < domain.sets.size(); ++s)
-    for (std::size_t k = 0; k < domain.sets[s].size(); ++k)
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    const std::vector<std::size_t> cell = cells(s);
+    for (std::size_t k = 0; k < cell.size(); ++k)
       for (std::size_t l = 0; l < k; ++l)
-        if (domain.waiting_pressures[s].cell[k] == domain.waiting_pressures[s].cell[l]) {
+        if (cell[k] == cell[l]) {
           EXPECT_NEAR(change[s][k], change[s][l], 1e-12 * std::abs(change[s][k]));
         }
+  }
+}
+
+/// Runs follow each other through their tile. Each lies in one cell, and has of its nodes the shares that its
+/// particles have one by one.
+TEST_P(PorePressure, RunsHaveTheSharesOfTheirParticles) {
+  changes(8);
+  std::size_t runs = 0;
+  std::size_t particles = 0;
+  for (std::size_t tile = 0; tile < domain.tiles.count(); ++tile) {
+    const Lattice& lattice = domain.tiles.lattice(domain.tiles.level_of(tile));
+    const NodeBlock window = domain.tiles.window(tile);
+    const auto place = [&](int column, int row) {
+      return (row - window.row) * window_columns + column - window.column;
+    };
+    for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+      const Particles& set = domain.sets[s];
+      const auto [begin, end] = set.in_block(domain.block(0, tile));
+      if (begin == end)
+        continue;
+      const CellRuns& of_tile = domain.waiting_pressures[s].runs[tile];
+      const Lanes* share = of_tile.shares();
+      std::size_t k = begin;
+      for (const CellRun& run : of_tile.all()) {
+        ASSERT_LT(k, run.end);
+        std::map<int, double> shares;
+        double weight = 0.0;
+        for (; k < run.end; ++k) {
+          const Vector half = half_sides(set, k);
+          const Weights x = cell_weights(set.x[k], {lattice.x0, lattice.h}, half.x);
+          const Weights y = cell_weights(set.y[k], {lattice.y0, lattice.h}, half.y);
+          EXPECT_EQ(run.cell, place(x.base + 1, y.base + 1));
+          for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 4; ++i)
+              shares[place(x.base + i, y.base + j)] += pore_volume(set, k) * x.s[i] * y.s[j];
+          weight += pore_volume(set, k);
+          ++particles;
+        }
+        EXPECT_NEAR(run.weight, weight, 1e-14 * weight);
+        for (int row = 0; row < (set.has_own_boxes() ? 4 : 3); ++row, ++share)
+          for (int i = 0; i < 4; ++i)
+            EXPECT_NEAR((*share)[i], std::exchange(shares[run.first + row * window_columns + i], 0.0),
+                        1e-14 * weight);
+        for (const auto& [node, left] : shares)
+          EXPECT_NEAR(left, 0.0, 1e-14 * weight) << "beyond the nodes of the run";
+        ++runs;
+      }
+      EXPECT_EQ(k, end);
+    }
+  }
+  EXPECT_GT(2 * particles, 3 * runs); // four particles a cell, in two rows of boxes at least
+}
+
+/// Bits do not depend on the number of threads.
+TEST_P(PorePressure, IsTheSameForAnyNumberOfThreads) {
+  Spec spec = wet_spec();
+  spec.threads = 1;
+  Domain alone(spec);
+  disturb(alone);
+  EXPECT_EQ(changes_of(alone, 9, 1.0), changes(9));
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, PorePressure,
