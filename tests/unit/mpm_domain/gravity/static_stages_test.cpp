@@ -181,6 +181,29 @@ TEST(StaticStages, ShowStructuresWhereTheyHaveGone) {
   EXPECT_NEAR(last[0].y - placed[0].y, way, 0.1 * std::abs(way));
 }
 
+/// What held up a trench while it was dug is gone at nodes that have no soil any more. A stage that fills it
+/// again would begin with it.
+TEST(StaticStages, LeaveNoForceWhereSoilHasGone) {
+  constexpr double density = 1900.0;
+  Spec spec = test_support::flat_ground(12.0, 4.0, 1.0, {density, 2e7, 0.3});
+  spec.cut_at_edges = true;
+  const std::vector<Region> whole{{0, rectangle(-6.0, -4.0, 6.0, -1.0)},
+                                  {0, rectangle(-6.0, -1.0, -2.0, 0.0)},
+                                  {0, rectangle(2.0, -1.0, 6.0, 0.0)},
+                                  {0, rectangle(-2.0, -1.0, 2.0, 0.0)}};
+  spec.regions = {whole[0], whole[1], whole[2]};
+  const std::vector<StaticStage> stages{ConstructionSettings{settings, whole, {}, {}}};
+  Domain domain(spec);
+  StaticStages walk(domain, under_gravity, stages, [](std::size_t, long, double) {});
+  walk.next();
+  walk.next();
+  SavedState saved;
+  walk.save(saved);
+  const double column = density * spec.gravity * 4.0; // of a metre's width, N/m
+  for (const double force : saved.numbers("static.forces"))
+    EXPECT_LT(std::abs(force), 1.1 * column);
+}
+
 /// The first step meets the bodies where a step after a sort would.
 TEST(StaticStages, LeaveElasticBodiesTheSurfacesOfTheirParticles) {
   const Site site;
