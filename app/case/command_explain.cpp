@@ -72,7 +72,7 @@ void add_explain(Command& app) {
   auto* with_ranks =
       command
           ->add_option("--ranks", ranks->count,
-                       "Also whether so many processes can share the domain, and where they run")
+                       "Also where so many processes that share the domain run")
           ->between(2, most_ranks);
   const auto column = std::make_shared<std::string>();
   auto* for_column =

@@ -49,7 +49,7 @@ PUBLIC_METHODS = 8  # of both roles together, besides constructors
 
 # Rooms of the domain. A room may include those before it. Those up to the boundary work on mpm_domain/ground.hpp alone;
 # those after it on mpm_domain/domain.hpp, which holds the boundary.
-ON_GROUND = ["fields", "spec", "head", "kernel", "clocks", "ranks", "grid", "tiles", "passes", "particles", "strain", "dispersion", "transfer", "water"]
+ON_GROUND = ["fields", "spec", "head", "kernel", "ranks", "grid", "tiles", "clocks", "passes", "particles", "strain", "dispersion", "transfer", "water"]
 ON_GROUND += ["mass_damping", "contact", "lining", "prop", "section", "earthworks", "boundary"]
 ROOMS = [*ON_GROUND, "step", "gravity", "column", "process"]
 MOST_FILES = 20  # C++ files in a folder of a library
