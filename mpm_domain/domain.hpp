@@ -13,8 +13,8 @@
 namespace tremolo::mpm_domain {
 
 /// The state of the domain: the ground, its boundary and earthworks, the structures and linings in it, props
-/// and cuts of these, and where the energy goes. Where ranks share a domain, each knows all that concerns the
-/// boundary.
+/// and cuts of these, and where the energy goes. Where ranks share a domain, each knows the soil and the
+/// velocities at all faces of the boundary.
 struct Domain : Ground {
   /// Fills the regions with particles at rest and without stress.
   /// @throws std::invalid_argument for a spec that cannot be built

@@ -318,29 +318,27 @@ void Relaxation::take_way_as_displacement() {
 }
 
 Reactions Relaxation::reactions() const {
+  constexpr double of_base = 1.0;
+  constexpr double of_side = 2.0;
   const Grid& grid = domain_.grid;
-  std::vector<double> is_base(grid.size(), 0.0);
-  std::vector<double> is_side(grid.size(), 0.0);
-  std::vector<double> x(grid.size(), 0.0);
-  std::vector<double> y(grid.size(), 0.0);
+  std::vector<double> held_by(grid.size(), 0.0), x(grid.size(), 0.0), y(grid.size(), 0.0);
   for (const std::size_t n : held_by_.base) {
-    is_base[n] = 1.0;
+    held_by[n] = of_base;
     x[n] = -grid.force_x[n];
     y[n] = -grid.force_y[n];
   }
   for (const std::size_t n : held_by_.sides) {
-    is_side[n] = 1.0;
+    held_by[n] = of_side;
     x[n] = -grid.force_x[n];
   }
-  for (std::vector<double>* const of_nodes : {&is_base, &is_side, &x, &y})
+  for (std::vector<double>* const of_nodes : {&held_by, &x, &y})
     take_nodes_of_all(domain_, *of_nodes);
   Reactions reactions;
-  reactions.force.resize(grid.size());
   for (std::size_t n = 0; n < grid.size(); ++n) {
-    reactions.force[n] = {x[n], y[n]};
-    if (is_base[n] != 0.0)
+    reactions.force.push_back({x[n], y[n]});
+    if (held_by[n] == of_base)
       reactions.base.push_back(n);
-    if (is_side[n] != 0.0)
+    else if (held_by[n] == of_side)
       reactions.sides.push_back(n);
   }
   return reactions;

@@ -56,8 +56,8 @@ void sort(Domain& domain, Step& step) {
     order(domain, step);
 }
 
-/// The first rank broadcasts the velocities at faces that structures have changed, since each rank computes
-/// the whole boundary.
+/// The first rank broadcasts the velocities at faces that structures have changed, since others work out some
+/// of these faces too.
 void share_structure_velocities(Domain& domain) {
   Grid& grid = domain.grid;
   std::vector<NodeField*> fields{&grid.vx_after, &grid.vy_after};

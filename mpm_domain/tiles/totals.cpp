@@ -8,6 +8,25 @@
 
 namespace tremolo::mpm_domain {
 
+namespace {
+
+std::vector<std::int64_t> digits_of(std::span<ExactSum> sums) {
+  std::vector<std::int64_t> digits;
+  for (ExactSum& sum : sums)
+    digits.insert(digits.end(), sum.parts().begin(), sum.parts().end());
+  return digits;
+}
+
+void take_digits(const std::vector<std::int64_t>& digits, std::span<ExactSum> sums) {
+  auto next = digits.begin();
+  for (ExactSum& sum : sums) {
+    std::copy_n(next, sum.parts().size(), sum.parts().begin());
+    next += static_cast<std::ptrdiff_t>(sum.parts().size());
+  }
+}
+
+} // namespace
+
 void take_largest(const Ground& ground, std::span<double> numbers) {
   if (ground.share)
     ground.share->ranks->largest(numbers);
@@ -27,29 +46,17 @@ void take_nodes_of_all(const Ground& ground, std::span<double> values) {
 void add_over_ranks(const Ground& ground, std::span<ExactSum> sums) {
   if (!ground.share)
     return;
-  std::vector<std::int64_t> digits;
-  for (ExactSum& sum : sums)
-    digits.insert(digits.end(), sum.parts().begin(), sum.parts().end());
+  std::vector<std::int64_t> digits = digits_of(sums);
   ground.share->ranks->add(digits);
-  auto next = digits.begin();
-  for (ExactSum& sum : sums) {
-    std::copy_n(next, sum.parts().size(), sum.parts().begin());
-    next += static_cast<std::ptrdiff_t>(sum.parts().size());
-  }
+  take_digits(digits, sums);
 }
 
 void Bookings::settle(std::span<double> largest) {
   if (ranks_ == nullptr)
     return;
-  std::vector<std::int64_t> parts;
-  for (ExactSum& sum : sums_)
-    parts.insert(parts.end(), sum.parts().begin(), sum.parts().end());
-  ranks_->add_and_find_largest(parts, largest);
-  auto next = parts.begin();
-  for (ExactSum& sum : sums_) {
-    std::copy_n(next, sum.parts().size(), sum.parts().begin());
-    next += static_cast<std::ptrdiff_t>(sum.parts().size());
-  }
+  std::vector<std::int64_t> digits = digits_of(sums_);
+  ranks_->add_and_find_largest(digits, largest);
+  take_digits(digits, sums_);
   for (const std::function<void()>& book : waiting_)
     book();
   sums_.clear();
