@@ -63,6 +63,7 @@ void FaceForces::follow_sort(const Ground& ground) {
   if (nodes_.restart(nodes))
     for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})
       field->assign(nodes, 0.0);
+  nodes_in_rows_ = not_found; // tiles may have changed hands
   dashpots_.resize(static_cast<std::size_t>(ground.clocks.count()), ConsistentDashpots(nodes_));
   for (ConsistentDashpots& dashpots : dashpots_)
     dashpots.fit(nodes);
@@ -74,6 +75,7 @@ void FaceForces::add(Step& step, const FaceLoads& loads) {
   const std::span<const FaceWeights> weights = loads.motion.weights();
   nodes_.add(weights);
   nodes_.add(loads.lean.weights());
+  find_rows(step.ground);
   const auto clocks = static_cast<std::size_t>(ticks.clocks());
   if (ticks.first_due() > 0)
     std::ranges::fill(loads_, Load{}); // for clocks that are not due
@@ -166,7 +168,7 @@ void FaceForces::correct_dashpots(Step& step, const FaceLoads& loads) {
 }
 
 ExactSums<BoundaryWork::count> FaceForces::work(Step& step, const FaceLoads& loads) const {
-  const Ground& ground = step.ground;
+  Ground& ground = step.ground;
   const Grid& grid = ground.grid;
   const Ticks& ticks = step.ticks;
   const bool one_clock = step.nodes.one_clock();
@@ -174,31 +176,31 @@ ExactSums<BoundaryWork::count> FaceForces::work(Step& step, const FaceLoads& loa
   std::array<double, most_clocks> kicks{};
   for (int clock = 0; clock < ticks.clocks(); ++clock)
     kicks[static_cast<std::size_t>(clock)] = ticks.kick_of(clock);
-  const std::span<const std::size_t> counted = loads.near.counted();
-  std::vector<std::array<double, BoundaryWork::count>> works(counted.size());
-  for_faces(step.ground.workers, counted.size(), [&](std::size_t n) {
+  std::vector<std::array<double, BoundaryWork::count>> works(loads.near.group_count());
+  ground.workers.run(works.size(), [&](std::size_t group) {
     std::array<Vector, most_clocks> v_of;
-    const std::size_t f = counted[n];
     BoundaryWork work;
-    std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
-    for (const auto& [node, w] : weights[f]) {
-      Vector& v = v_of[one_clock ? 0 : static_cast<std::size_t>(step.nodes.clock_of(node))];
-      const double half = 0.5 * w;
-      v.x += half * (grid.vx_before[node] + grid.vx_after[node]);
-      v.y += half * (grid.vy_before[node] + grid.vy_after[node]);
+    for (const std::size_t f : loads.near.group(group)) {
+      std::fill_n(v_of.begin(), ticks.clocks(), Vector{});
+      for (const auto& [node, w] : weights[f]) {
+        Vector& v = v_of[one_clock ? 0 : static_cast<std::size_t>(step.nodes.clock_of(node))];
+        const double half = 0.5 * w;
+        v.x += half * (grid.vx_before[node] + grid.vx_after[node]);
+        v.y += half * (grid.vy_before[node] + grid.vy_after[node]);
+      }
+      add_work_of_face(f, loads, ticks, v_of, kicks, work);
     }
-    add_work_of_face(f, loads, ticks, v_of, kicks, work);
-    works[n] = work.numbers();
+    works[group] = work.numbers();
   });
   ExactSums<BoundaryWork::count> sums =
       sums_of(std::span<const std::array<double, BoundaryWork::count>>(works));
   for (int clock = ticks.first_due(); clock < static_cast<int>(dashpots_.size()); ++clock) {
     const double half_kick = 0.5 * ticks.kick_of(clock);
     const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
-    for (const std::size_t n : nodes_.all())
-      if (ground.counts({n, n + 1}))
-        sums[1].add(half_kick * dot(dashpots.force_on(n), {grid.vx_before[n] + grid.vx_after[n],
-                                                           grid.vy_before[n] + grid.vy_after[n]}));
+    sums[1] += sum_over_nodes(ground, [&](std::size_t n) {
+      return half_kick * dot(dashpots.force_on(n),
+                             {grid.vx_before[n] + grid.vx_after[n], grid.vy_before[n] + grid.vy_after[n]});
+    });
   }
   return sums;
 }
@@ -208,21 +210,46 @@ void FaceForces::take_off_remap_power(Step& step, int clock) const {
   const Grid& grid = ground.grid;
   const auto of_clock = static_cast<std::size_t>(clock);
   const ConsistentDashpots* const dashpots = of_clock < dashpots_.size() ? &dashpots_[of_clock] : nullptr;
-  const std::span<const std::size_t> all = nodes_.all();
-  constexpr std::size_t nodes_per_task = 256;
-  std::vector<ExactSum> parts((all.size() + nodes_per_task - 1) / nodes_per_task);
-  ground.workers.run(parts.size(), [&](std::size_t task) {
-    const std::size_t first = task * nodes_per_task;
-    for (const std::size_t n : all.subspan(first, std::min(nodes_per_task, all.size() - first))) {
-      if (step.nodes.clock_of(n) != clock || !ground.counts({n, n + 1}))
-        continue;
-      const Vector corrected = dashpots ? dashpots->force_on(n) : Vector{};
-      parts[task].add((on_nodes_x_[n] + corrected.x) * (grid.vx_strain[n] - grid.vx_after[n]) +
-                      (on_nodes_y_[n] + corrected.y) * (grid.vy_strain[n] - grid.vy_after[n]));
-    }
+  step.remap_power[of_clock][0] += sum_over_nodes(ground, [&](std::size_t n) {
+    if (step.nodes.clock_of(n) != clock)
+      return 0.0;
+    const Vector corrected = dashpots ? dashpots->force_on(n) : Vector{};
+    return (on_nodes_x_[n] + corrected.x) * (grid.vx_strain[n] - grid.vx_after[n]) +
+           (on_nodes_y_[n] + corrected.y) * (grid.vy_strain[n] - grid.vy_after[n]);
   });
-  for (const ExactSum& part : parts)
-    step.remap_power[of_clock][0] += part;
+}
+
+/// Pieces of the rows of nodes, each in one tile, so that their sums are the same for any number of ranks.
+void FaceForces::find_rows(const Ground& ground) {
+  const std::span<const std::size_t> all = nodes_.all();
+  if (nodes_in_rows_ == all.size())
+    return;
+  nodes_in_rows_ = all.size();
+  rows_.clear();
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    const NodePosition at = ground.position_of(all[begin]);
+    const std::size_t tile = ground.tiles.tile_of(at.level, at.column, at.row);
+    const Lattice& lattice = ground.lattice(at.level);
+    const std::size_t last =
+        lattice.index(std::min(ground.tiles.owned(tile).end_column(), lattice.nx) - 1, at.row);
+    while (end < all.size() && all[end] <= last)
+      ++end;
+    if (!ground.share || ground.share->is_mine(tile))
+      rows_.push_back(all.subspan(begin, end - begin));
+  }
+}
+
+/// @param of_node  (node) its part of the sum
+template <typename OfNode>
+ExactSum FaceForces::sum_over_nodes(Ground& ground, const OfNode& of_node) const {
+  std::vector<std::array<double, 1>> parts(rows_.size());
+  constexpr std::size_t rows_per_task = 64;
+  ground.workers.run((rows_.size() + rows_per_task - 1) / rows_per_task, [&](std::size_t task) {
+    for (std::size_t r = task * rows_per_task; r < std::min((task + 1) * rows_per_task, rows_.size()); ++r)
+      for (const std::size_t n : rows_[r])
+        parts[r][0] += of_node(n);
+  });
+  return sums_of(std::span<const std::array<double, 1>>(parts))[0];
 }
 
 } // namespace tremolo::mpm_domain

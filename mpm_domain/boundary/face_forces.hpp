@@ -16,6 +16,7 @@
 #include "mpm_domain/boundary/support.hpp"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -72,8 +73,14 @@ private:
 
   void find(int clock, const Ticks& ticks, const FaceLoads& loads);
   void correct_dashpots(Step& step, const FaceLoads& loads);
+  void find_rows(const Ground& ground);
+  template <typename OfNode>
+  ExactSum sum_over_nodes(Ground& ground, const OfNode& of_node) const;
 
   FaceNodes nodes_;
+  static constexpr std::size_t not_found = std::numeric_limits<std::size_t>::max();
+  std::size_t nodes_in_rows_ = not_found;            ///< how many there were when rows were found
+  std::vector<std::span<const std::size_t>> rows_;   ///< those that count on this rank, by rows of tiles
   std::vector<Load> loads_;                          ///< by face and clock
   NodeField on_nodes_x_, on_nodes_y_;                ///< N/m
   std::vector<ConsistentDashpots> dashpots_;         ///< one a clock

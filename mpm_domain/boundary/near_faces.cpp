@@ -15,6 +15,13 @@ namespace {
 /// tile.
 constexpr int reach = 4 * 5 + 4;
 
+/// The tile of a face's particle as of the last sort.
+std::size_t tile_of(const Ground& ground, const BoundaryFace& face) {
+  const Particles& set = ground.sets[face.set];
+  const auto next = std::ranges::upper_bound(set.block_start, set.index_of[face.id]);
+  return static_cast<std::size_t>(next - set.block_start.begin() - 1) % ground.tiles.count();
+}
+
 /// Whether this rank owns a tile within reach of a face.
 bool is_near(const Ground& ground, const FacePosition& face) {
   for (int level = 0; level < ground.soil_lattice_count(); ++level) {
@@ -41,15 +48,28 @@ void NearFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> 
   own_ = near_;
   lacks_some_ =
       ground.share && ground.clocks.count() == 1 && !ground.has_pore_pressure() && !ground.spec.periodic();
-  if (!ground.share)
-    return;
-  owners_ = soil.owners();
-  const auto known = owners_.known_to(static_cast<std::size_t>(ground.share->ranks->rank()));
-  own_.assign(known.begin(), known.end());
+  if (ground.share) {
+    owners_ = soil.owners();
+    const auto known = owners_.known_to(static_cast<std::size_t>(ground.share->ranks->rank()));
+    own_.assign(known.begin(), known.end());
+  }
   if (lacks_some_)
     std::erase_if(near_, [&](std::size_t f) {
       return !std::ranges::binary_search(own_, f) && !is_near(ground, soil.all()[f].position);
     });
+  find_groups(ground, faces);
+}
+
+void NearFaces::find_groups(const Ground& ground, std::span<const BoundaryFace> faces) {
+  std::vector<std::size_t> tile(faces.size());
+  for (const std::size_t f : own_)
+    tile[f] = tile_of(ground, faces[f]);
+  std::ranges::stable_sort(own_, {}, [&](std::size_t f) { return tile[f]; });
+  groups_.clear();
+  for (std::size_t n = 0; n < own_.size(); ++n)
+    if (n == 0 || tile[own_[n]] != tile[own_[n - 1]])
+      groups_.push_back(n);
+  groups_.push_back(own_.size());
 }
 
 bool NearFaces::share(const Ground& ground, std::span<Vector> velocities) {

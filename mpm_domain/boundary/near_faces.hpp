@@ -24,14 +24,21 @@ public:
   /// After a sort.
   void follow_sort(const Ground& ground, std::span<const BoundaryFace> faces, const SoilAtFaces& soil);
 
-  std::span<const std::size_t> all() const { return near_; }    ///< rising
-  std::span<const std::size_t> counted() const { return own_; } ///< those of them that count here, rising
+  std::span<const std::size_t> all() const { return near_; } ///< rising
+  /// Those of them that count here, in groups: faces whose particles share a tile, and so a rank, rising.
+  std::size_t group_count() const { return groups_.empty() ? 0 : groups_.size() - 1; }
+  std::span<const std::size_t> group(std::size_t number) const {
+    return std::span(own_).subspan(groups_[number], groups_[number + 1] - groups_[number]);
+  }
   /// Every rank has the velocities of all faces.
   /// @returns whether some came from others: where each has worked out all, nothing happens
   bool share(const Ground& ground, std::span<Vector> velocities);
 
 private:
+  void find_groups(const Ground& ground, std::span<const BoundaryFace> faces);
+
   std::vector<std::size_t> near_, own_;
+  std::vector<std::size_t> groups_; ///< where they begin among its own, and the end
   SharedList owners_;
   bool lacks_some_ = false;
   std::vector<double> numbers_; ///< of a message
