@@ -52,9 +52,10 @@ class Rest(unittest.TestCase):
         with RestWorkspace(TREMOLO, shaking=33.0) as work:
             shaken = self.columns_of(work, ("fe",))["fe"]
         self.assertAlmostEqual(33.0, run.monitor("surface")["time"][-1], delta=0.01)
-        # Reversals of PM4Sand go with the slightest change of a path, which scatters settlement by up to 0.6 % (docs/stages.md).
-        for time in (4.0, 10.0, 32.9):
-            self.assertAlmostEqual(1.0, settlement(run, time) / (-1e3 * at(fields["mpm"], "uy", time)), delta=0.012)
+        # Reversals of PM4Sand go with the slightest change of a path: seven runs whose motions differ by 1e-9 settle by 98.2 to
+        # 103.5, 100.2 to 101.8, and 100.9 to 102.0 % of the column.
+        for time, scatter in ((4.0, 0.04), (10.0, 0.025), (32.9, 0.025)):
+            self.assertAlmostEqual(1.0, settlement(run, time) / (-1e3 * at(fields["mpm"], "uy", time)), delta=scatter)
         for time in (10.0, 32.9):  # by elements and another scheme
             self.assertAlmostEqual(1.0, settlement(run, time) / (-1e3 * at(fields["fe"], "uy", time)), delta=0.05)
         self.assertGreater(settlement(run, 32.9), 3.0 * -1e3 * at(shaken, "uy", 32.9))
