@@ -172,7 +172,7 @@ const Model models[] = {
     {"SharpLayers", [](Spec& spec) { sharpen(spec), add_layers(spec); }, 10},
     {"SharpSlope", [](Spec& spec) { sharpen(spec), slope(spec); }, 10},
     {"SharpPeriodic", [](Spec& spec) { sharpen(spec), make_periodic(spec); }, 10},
-    {"SharpDrifting", sharpen, 40, {120.0, 40.0}},
+    {"SharpDrifting", sharpen, 25, {120.0, 40.0}},
     {"Earthworks", [](Spec& spec) { test_support::add_building(spec), build_and_dig(spec); }, 25, {}, true},
     {"EarthworksOnLevels",
      [](Spec& spec) {
