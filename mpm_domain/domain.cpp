@@ -5,6 +5,8 @@
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/ranks/passed_state.hpp"
 
+#include <utility>
+
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -27,17 +29,22 @@ std::vector<mesh::Rectangle> boxes_of_structures(const Domain& domain) {
   return boxes;
 }
 
+/// All take the boxes of the first rank.
+void follow_first(Communicator& ranks, std::vector<mesh::Rectangle>& boxes) {
+  std::vector<double> numbers;
+  for (const mesh::Rectangle& box : boxes)
+    numbers.insert(numbers.end(), {box.x_min, box.y_min, box.x_max, box.y_max});
+  ranks.follow_first(numbers);
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+    boxes[b] = {numbers[4 * b], numbers[4 * b + 1], numbers[4 * b + 2], numbers[4 * b + 3]};
+}
+
 /// The first rank broadcasts the positions of structures.
 void follow_structures(Domain& domain) {
   std::vector<mesh::Rectangle>& boxes = domain.share->structures;
   if (domain.has_structures_here())
     boxes = boxes_of_structures(domain);
-  std::vector<double> numbers;
-  for (const mesh::Rectangle& box : boxes)
-    numbers.insert(numbers.end(), {box.x_min, box.y_min, box.x_max, box.y_max});
-  domain.share->ranks->follow_first(numbers);
-  for (std::size_t b = 0; b < boxes.size(); ++b)
-    boxes[b] = {numbers[4 * b], numbers[4 * b + 1], numbers[4 * b + 2], numbers[4 * b + 3]};
+  follow_first(*domain.share->ranks, boxes);
 }
 
 /// After particles have come to other ranks in the order of the last sort.
@@ -86,7 +93,9 @@ void make_room(Domain& domain, double time, long step) {
 }
 
 void share_out(Domain& domain, Communicator& ranks) {
-  keep_own_particles(domain, ranks, boxes_of_structures(domain));
+  std::vector<mesh::Rectangle> boxes = boxes_of_structures(domain);
+  follow_first(ranks, boxes); // others may have restored theirs, which rounds
+  keep_own_particles(domain, ranks, std::move(boxes));
   follow_change_of_owners(domain);
 }
 
@@ -96,10 +105,13 @@ void make_whole(Domain& domain) {
   domain.linings.save(structures);
   domain.props.save(structures);
   structures.follow_first(*domain.share->ranks);
+  const bool has_them = domain.has_structures_here();
   make_whole(static_cast<Ground&>(domain));
-  domain.contact.restore(structures);
-  domain.linings.restore(structures);
-  domain.props.restore(structures);
+  if (!has_them) {
+    domain.contact.restore(structures);
+    domain.linings.restore(structures);
+    domain.props.restore(structures);
+  }
   follow_change_of_owners(domain);
 }
 
