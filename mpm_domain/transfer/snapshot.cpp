@@ -3,17 +3,28 @@
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 
+#include <array>
+
 namespace tremolo::mpm_domain {
 
+namespace {
+
+constexpr std::size_t numbers_of_motion = 4; ///< velocity and acceleration of a particle
+
+} // namespace
+
 Vector Snapshot::velocity(std::size_t set, std::size_t k) const {
-  return particle_velocity(ground_, sets()[set], k);
+  if (!ground_.share)
+    return particle_velocity(ground_, ground_.sets[set], k);
+  const double* const motion = copy_.numbers[set].data() + numbers_of_motion * k;
+  return {motion[0], motion[1]};
 }
 
 Vector Snapshot::acceleration(std::size_t set, std::size_t k) const {
   if (!ground_.share)
     return particle_acceleration(ground_, ground_.sets[set], k);
-  const std::vector<double>& of_set = copy_.numbers[set];
-  return {of_set[2 * k], of_set[2 * k + 1]};
+  const double* const motion = copy_.numbers[set].data() + numbers_of_motion * k;
+  return {motion[2], motion[3]};
 }
 
 void Snapshot::follow(const std::vector<ParticleName>& followed) {
@@ -47,10 +58,14 @@ Snapshot::Extent Snapshot::take(Extent wanted) {
       const std::uint32_t id = ground_.sets[set].id[k]; // particles that have been cut are not among them
       return id < followed_[set].size() && followed_[set][id];
     };
-  copy_ = gather_sets(ground_, is_wanted, 2, [&](std::size_t set, std::size_t k, std::vector<double>& to) {
-    const Vector a = particle_acceleration(ground_, ground_.sets[set], k);
-    to.insert(to.end(), {a.x, a.y});
-  });
+  take_at_skirt(ground_, std::array{&NodeFields::vx_after, &NodeFields::vy_after, &NodeFields::ax,
+                                    &NodeFields::ay}); // readings take in the nodes beside
+  copy_ = gather_sets(ground_, is_wanted, numbers_of_motion,
+                      [&](std::size_t set, std::size_t k, std::vector<double>& to) {
+                        const Vector v = particle_velocity(ground_, ground_.sets[set], k);
+                        const Vector a = particle_acceleration(ground_, ground_.sets[set], k);
+                        to.insert(to.end(), {v.x, v.y, a.x, a.y});
+                      });
   return wanted;
 }
 

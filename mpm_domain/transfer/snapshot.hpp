@@ -22,7 +22,7 @@ struct ParticleName {
 class Snapshot {
 public:
   /// @param domain outlives this; shared out later, if at all
-  explicit Snapshot(const Ground& ground) : ground_(ground) {}
+  explicit Snapshot(Ground& ground) : ground_(ground) {}
 
   /// A particle that is not in it has no place in index_of.
   std::span<const Particles> sets() const {
@@ -42,9 +42,9 @@ public:
   Extent take(Extent wanted);
 
 private:
-  const Ground& ground_;
+  Ground& ground_;
   std::vector<std::vector<bool>> followed_; ///< by set and id
-  GatheredSets copy_;                       ///< with their accelerations
+  GatheredSets copy_;                       ///< with their velocities and accelerations
 };
 
 } // namespace tremolo::mpm_domain

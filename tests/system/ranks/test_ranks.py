@@ -16,7 +16,7 @@ TREMOLO, SOURCE, BUILD = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
 sys.path[:0] = [str(SOURCE / "python"), *(str(Path(__file__).parents[1] / folder) for folder in ("resume", "stages", "structures", "sweep"))]
 
 from berm_case import BermWorkspace, stage
-from broken_run import SlopeWorkspace, checkpoints, differences, with_checkpoints
+from broken_run import BoxWorkspace, SlopeWorkspace, checkpoints, differences, with_checkpoints
 from processes import alive, children, ranks_below
 from rest_case import rest
 from small_case import SLOPE_BOXES, refine, subcycled
@@ -121,7 +121,7 @@ class Joined(unittest.TestCase):
         self.give_the_bits_of_one(subcycled(refine(SlopeWorkspace(TREMOLO, duration=0.5), *SLOPE_BOXES)))
 
     def test_acceptance_reduced_dispersion(self):
-        self.give_the_bits_of_one(sharpened(SlopeWorkspace(TREMOLO, duration=0.5)))
+        self.give_the_bits_of_one(sharpened(BoxWorkspace(TREMOLO, duration=0.5)))
 
     def test_acceptance_a_berm_that_comes_and_goes(self):
         berm = stage("construction", "berm", 'place = ["berm"]', 0.2)
