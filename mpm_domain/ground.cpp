@@ -234,8 +234,8 @@ std::vector<std::size_t> filled_tiles(const Ground& ground, int clock) {
   return filled;
 }
 
-/// Those of other ranks.
-/// @param own  those of this one
+/// Finds the tiles in which other ranks have such particles.
+/// @param own  tiles in which this rank has some
 std::vector<std::size_t> filled_by_others(const Ground& ground, std::span<const std::size_t> own) {
   std::vector<std::size_t> others;
   if (!ground.share)

@@ -27,9 +27,9 @@ public:
   /// soil needs of its faces: nothing is read where no ranks share it.
   void read(Ground& ground, std::span<BoundaryFace> faces);
 
-  /// The soil at each face if there is pore water or if ranks share the domain; else empty.
   /// The rank that has the particle of each face, if ranks share the domain.
   const SharedList& owners() const { return faces_; }
+  /// The soil at each face if there is pore water or if ranks share the domain; else empty.
   std::span<const FaceSoil> all() const { return soil_; }
   /// Rising; none without ranks.
   std::span<const std::size_t> shared_nodes() const { return nodes_; }

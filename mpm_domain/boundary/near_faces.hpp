@@ -25,7 +25,7 @@ public:
   void follow_sort(const Ground& ground, std::span<const BoundaryFace> faces, const SoilAtFaces& soil);
 
   std::span<const std::size_t> all() const { return near_; } ///< rising
-  /// Those of them that count here, in groups: faces whose particles share a tile, and so a rank, rising.
+  /// The faces that count here come in groups. The particles of a group lie in one tile, and so on one rank.
   std::size_t group_count() const { return groups_.empty() ? 0 : groups_.size() - 1; }
   std::span<const std::size_t> group(std::size_t number) const {
     return std::span(own_).subspan(groups_[number], groups_[number + 1] - groups_[number]);

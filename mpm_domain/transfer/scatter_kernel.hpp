@@ -225,7 +225,8 @@ template <std::size_t count, std::size_t rows, typename ValuesOf>
                [&](Sums& sums, std::size_t c, auto is_first) { sums.template add<is_first>(values, w, c); });
 }
 
-/// The same, run by run of the particles of a cell. The runs keep what they bring of the last number.
+/// Adds these numbers run by run, where a run is particles that stand together in a cell. Each run keeps what
+/// it brings of the last number.
 template <std::size_t count, std::size_t rows, typename ValuesOf>
 [[gnu::always_inline]] inline void scatter_runs(std::size_t k, std::size_t part, const ChunkWeights<rows>& w,
                                                 double* window, CellRuns& runs, const ValuesOf& values_of) {

@@ -77,7 +77,7 @@ def halo_bytes(particles, ranks):
 
 
 def share_bytes(columns, rows):
-    """What is told of the soil at all faces, their velocities, and sums at all nodes near them."""
+    """Bytes that pass the soil at all faces, their velocities, and the sums at all nodes near them."""
     return NUMBER * (12 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
 
 
