@@ -1,9 +1,12 @@
 #include "mpm_domain/transfer/snapshot.hpp"
 
 #include "mpm_domain/ranks/communicator.hpp"
+#include "mpm_domain/ranks/passed_state.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 
 #include <array>
+#include <cstdint>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -30,18 +33,17 @@ Vector Snapshot::acceleration(std::size_t set, std::size_t k) const {
 void Snapshot::follow(const std::vector<ParticleName>& followed) {
   if (!ground_.share)
     return;
-  Communicator& ranks = *ground_.share->ranks;
-  double count = static_cast<double>(followed.size());
-  ranks.follow_first({&count, 1});
-  std::vector<double> numbers;
+  std::vector<std::uint64_t> names;
   for (const ParticleName& particle : followed)
-    numbers.insert(numbers.end(), {static_cast<double>(particle.set), static_cast<double>(particle.id)});
-  numbers.resize(2 * static_cast<std::size_t>(count));
-  ranks.follow_first(numbers);
+    names.insert(names.end(), {particle.set, particle.id});
+  PassedState of_first;
+  of_first.write("followed", std::move(names));
+  of_first.follow_first(*ground_.share->ranks);
+  names = of_first.integers("followed");
   for (const Particles& set : ground_.sets)
     followed_.emplace_back(set.index_of.size(), false);
-  for (std::size_t i = 0; i < numbers.size(); i += 2)
-    followed_[static_cast<std::size_t>(numbers[i])][static_cast<std::size_t>(numbers[i + 1])] = true;
+  for (std::size_t i = 0; i < names.size(); i += 2)
+    followed_[names[i]][names[i + 1]] = true;
 }
 
 Snapshot::Extent Snapshot::take(Extent wanted) {
