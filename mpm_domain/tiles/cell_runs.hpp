@@ -21,8 +21,8 @@ struct CellRun {
   std::size_t end;    ///< the particle after its last
   std::int32_t first; ///< where the first of its nodes stands in the window of the tile
   std::int32_t cell;  ///< where the cell's lower left node stands there
-  double weight;      ///< sum W
-  double product;     ///< sum W e of values e that differ from particle to particle
+  double weight;  ///< sum W when the sums in cells begin: in a static stage particles have strained by then
+  double product; ///< sum W e of values e that differ from particle to particle, likewise
 };
 
 /// The runs of the particles of a set in a tile, in their order. Each has four shares a row of nodes.
@@ -43,13 +43,9 @@ public:
   template <std::size_t rows>
   [[gnu::always_inline]] void add(std::size_t end, std::int32_t first, std::int32_t cell,
                                   const std::array<Lanes, rows>& shares) {
-    Lanes total = shares[0];
-    shares_[count_ * rows] = shares[0];
-    for (std::size_t j = 1; j < rows; ++j) {
-      total += shares[j];
+    for (std::size_t j = 0; j < rows; ++j)
       shares_[count_ * rows + j] = shares[j];
-    }
-    runs_[count_++] = {end, first, cell, sum(total), 0.0};
+    runs_[count_++] = {end, first, cell, 0.0, 0.0};
   }
 
   std::span<CellRun> all() { return std::span(runs_).first(count_); }

@@ -18,8 +18,17 @@ struct Arrays {
   const double *mass, *volume, *vx, *vy, *bxx, *bxy, *byx, *byy, *sxx, *syy, *sxy;
   double* sums; ///< [field][row][column], from the field on that takes `mass`
   const double *cross_x = nullptr, *cross_y = nullptr; ///< of sets with bilinear velocity
+  double buoyancy = 0.0;                               ///< of soil under water, N/kg
+  double grains_per_mass = 0.0;                        ///< of soil with water, c (pore_water.hpp), m3/kg
+  double resistance = 0.0;                             ///< of water that flows, rho_f g/k, Pa s/m2
+  CellRuns* runs = nullptr; ///< take the shares of pore volumes, if these are summed up
+  std::size_t begin = 0;    ///< the first of the particles
 
   double* of(Sum field) const { return sums + static_cast<std::size_t>(field) * window_nodes; }
+  /// Of water that flows.
+  double* of_water(Sum field) const {
+    return of(field) - static_cast<std::size_t>(Sum::water_mass) * window_nodes;
+  }
 };
 
 /// Numbers that a chunk of particles does not carry.

@@ -26,6 +26,12 @@ template <std::size_t rows>
     store(nodes, load(nodes) + sums[j]);
 }
 
+template <std::size_t rows>
+[[gnu::always_inline]] inline void add_rows(double* nodes, double factor, const Rows<rows>& sums) {
+  for (std::size_t j = 0; j < rows; ++j, nodes += window_columns)
+    store(nodes, load(nodes) + factor * sums[j]);
+}
+
 /// The first particle of a cell begins the sums.
 template <bool first>
 [[gnu::always_inline]] inline void add_to_row(Lanes& sum, const Lanes& value) {
@@ -37,9 +43,13 @@ template <bool first>
 
 /// Sums of the particles of one cell for the nodes that they share, in rows of four. The sums stay in
 /// registers while the particles are read and are written to the tile's window once. Motion and force are
-/// summed up one after the other, since the registers do not hold both.
-template <Motion motion, std::size_t rows>
+/// summed up one after the other, since the registers do not hold both. Numbers of water that go with the
+/// mass or the volume of a particle take the products with S that momentum and force need anyway.
+/// @tparam wet  whether the soil is under water: its buoyancy is a share of its mass
+template <Motion motion, bool wet, std::size_t rows>
 struct MotionSums {
+  static_assert(!wet || motion == Motion::mass_and_momentum);
+  static constexpr bool in_cells = false;
   Rows<rows> mass, momentum_x, momentum_y; ///< not set until the first particle
 
   /// S m and S m (v + C (x_i - x)), C = B D^-1, and where the velocity is bilinear, S m c (x_i - x)(y_i - y)
@@ -92,14 +102,20 @@ struct MotionSums {
   [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
     if constexpr (motion == Motion::mass_and_momentum)
       add_rows(a.of(Sum::mass) + first, mass);
+    if constexpr (wet)
+      add_rows(a.of(Sum::buoyancy) + first, a.buoyancy, mass);
     add_rows(a.of(Sum::momentum_x) + first, momentum_x);
     add_rows(a.of(Sum::momentum_y) + first, momentum_y);
   }
 };
 
-template <Pull pull, std::size_t rows>
+/// @tparam wet  whether the pore volumes of soil are summed up too. Water that flows sums up the soil's
+/// volume
+template <Pull pull, bool wet, std::size_t rows>
 struct ForceSums {
+  static constexpr bool in_cells = wet && pull == Pull::stress_and_weight;
   Rows<rows> force_x, force_y;
+  Rows<rows> volume;
 
   /// S m g - V sigma grad S
   template <bool first>
@@ -113,12 +129,15 @@ struct ForceSums {
       for (std::size_t j = 0; j < rows; ++j) {
         add_to_row<first>(force_x[j], -(w.ys[j][c] * along));
         add_to_row<first>(force_y[j], -(w.yg[j][c] * up));
+        add_to_row<first>(volume[j], w.ys[j][c] * vs);
       }
       return;
     }
+    const Lanes ms = a.mass[c] * w.xs[c];
+    const Lanes pores = vs - a.grains_per_mass * ms;
     const Lanes fx_s = a.sxx[c] * vg;
     const Lanes fx_g = a.sxy[c] * vs;
-    const Lanes fy_s = a.sxy[c] * vg + gravity * (a.mass[c] * w.xs[c]);
+    const Lanes fy_s = a.sxy[c] * vg + gravity * ms;
     const Lanes fy_g = a.syy[c] * vs;
     for (std::size_t j = 0; j < rows; ++j) {
       const double s = w.ys[j][c];
@@ -127,12 +146,28 @@ struct ForceSums {
       add_to_row<first>(force_y[j], -(s * fy_s));
       force_x[j] -= g * fx_g;
       force_y[j] -= g * fy_g;
+      if constexpr (wet)
+        add_to_row<first>(volume[j], s * pores);
     }
   }
 
   [[gnu::always_inline]] void add_to(const Arrays& a, std::ptrdiff_t first) const {
     add_rows(a.of(Sum::force_x) + first, force_x);
     add_rows(a.of(Sum::force_y) + first, force_y);
+    if constexpr (pull == Pull::pressure) {
+      add_rows(a.of_water(Sum::wet_volume) + first, volume);
+      add_rows(a.of_water(Sum::resistance) + first, a.resistance, volume);
+    }
+  }
+
+  /// Adds the pore volumes of particles of one cell, whose run keeps what it brings.
+  /// @param end  of these particles, in the chunk
+  [[gnu::always_inline]] void keep(const Arrays& a, std::int32_t first, std::int32_t cell,
+                                   std::size_t end) const {
+    if (a.runs == nullptr)
+      return;
+    add_rows(a.of(Sum::pore_volume) + first, volume);
+    a.runs->add(a.begin + end, first, cell, volume);
   }
 };
 
@@ -142,6 +177,7 @@ using ChunkScalars = std::array<std::array<double, chunk>, count>;
 
 template <std::size_t count, std::size_t rows>
 struct ScalarSums {
+  static constexpr bool in_cells = false;
   std::array<Rows<rows>, count> sums;
 
   template <bool first>
@@ -161,17 +197,21 @@ struct ScalarSums {
   }
 };
 
-/// Adds up a chunk cell by cell. add(sums, c, is_first) adds the chunk's particle c to the sums of its cell.
+/// Adds up a chunk by particles that share nodes, and where sums are those of cells, that are in one cell.
+/// add(sums, c, is_first) adds the chunk's particle c.
 template <typename Sums, std::size_t rows, typename To, typename Add>
 [[gnu::always_inline]] inline void stream(const ChunkWeights<rows>& w, std::size_t count, const To& arrays,
                                           const Add& add) {
   for (std::size_t c = 0; c < count;) {
     const std::int32_t shared = w.first[c];
+    const std::int32_t cell = Sums::in_cells ? w.cell[c] : 0;
     Sums sums;
     add(sums, c++, std::true_type{});
-    while (c < count && w.first[c] == shared)
+    while (c < count && w.first[c] == shared && (!Sums::in_cells || w.cell[c] == cell))
       add(sums, c++, std::false_type{});
     sums.add_to(arrays, shared);
+    if constexpr (Sums::in_cells)
+      sums.keep(arrays, shared, cell, c);
   }
 }
 
@@ -183,12 +223,13 @@ enum class PoreWaterCoupling {
 };
 
 /// Motion and force of one phase in a chunk.
-template <Pull pull, Motion motion, bool force, Around around, std::size_t rows>
+/// @tparam wet  whether it is soil with water, whose buoyancy and pore volumes go with the forces
+template <Pull pull, Motion motion, bool force, Around around, bool wet = false, std::size_t rows>
 [[gnu::always_inline]] inline void scatter_phase(const Arrays& arrays, std::size_t count,
                                                  const ChunkWeights<rows>& w, double h,
                                                  const Lanes& gravity) {
-  using Moving = MotionSums<motion, rows>;
-  using Pulling = ForceSums<pull, rows>;
+  using Moving = MotionSums<motion, wet, rows>;
+  using Pulling = ForceSums<pull, wet, rows>;
   if constexpr (motion != Motion::none)
     stream<Moving>(w, count, arrays, [&](Moving& sums, std::size_t c, auto is_first) {
       sums.template add<around, is_first>(arrays, w, c, h);
@@ -199,60 +240,33 @@ template <Pull pull, Motion motion, bool force, Around around, std::size_t rows>
     });
 }
 
-/// The numbers of a chunk.
+/// Numbers in a chunk.
+/// @param window    where the sums of the first number stand
 /// @param values_of  (k, group) -> the numbers of a group of particles from k on
-template <std::size_t count, typename ValuesOf>
-[[gnu::always_inline]] inline ChunkScalars<count> numbers_of(std::size_t k, std::size_t part,
-                                                             const ValuesOf& values_of) {
+template <std::size_t count, std::size_t rows, typename ValuesOf>
+[[gnu::always_inline]] inline void scatter_numbers(std::size_t k, std::size_t part,
+                                                   const ChunkWeights<rows>& w, double* window,
+                                                   const ValuesOf& values_of) {
+  using Sums = ScalarSums<count, rows>;
   ChunkScalars<count> values;
   by_fours(0, part, [&](std::size_t c, auto group) {
     const std::array<Lanes, count> of_group = values_of(k + c, group);
     for (std::size_t f = 0; f < count; ++f)
       group.store(&values[f][c], of_group[f]);
   });
-  return values;
-}
-
-/// Numbers in a chunk.
-/// @param window  where the sums of the first number stand
-template <std::size_t count, std::size_t rows, typename ValuesOf>
-[[gnu::always_inline]] inline void scatter_numbers(std::size_t k, std::size_t part,
-                                                   const ChunkWeights<rows>& w, double* window,
-                                                   const ValuesOf& values_of) {
-  using Sums = ScalarSums<count, rows>;
-  const ChunkScalars<count> values = numbers_of<count>(k, part, values_of);
   stream<Sums>(w, part, window,
                [&](Sums& sums, std::size_t c, auto is_first) { sums.template add<is_first>(values, w, c); });
 }
 
-/// Adds these numbers run by run, where a run is particles that stand together in a cell. Each run keeps what
-/// it brings of the last number.
-template <std::size_t count, std::size_t rows, typename ValuesOf>
-[[gnu::always_inline]] inline void scatter_runs(std::size_t k, std::size_t part, const ChunkWeights<rows>& w,
-                                                double* window, CellRuns& runs, const ValuesOf& values_of) {
-  const ChunkScalars<count> values = numbers_of<count>(k, part, values_of);
-  runs.expect(part);
-  for (std::size_t c = 0; c < part;) {
-    const std::int32_t first = w.first[c];
-    const std::int32_t cell = w.cell[c];
-    ScalarSums<count, rows> sums;
-    sums.template add<true>(values, w, c++);
-    while (c < part && w.first[c] == first && w.cell[c] == cell)
-      sums.template add<false>(values, w, c++);
-    sums.add_to(window, first);
-    runs.add(k + c, first, cell, sums.sums.back());
-  }
-}
-
 /// All calls in this function are inlined (`flatten`): a call would push the sums out of the registers.
-/// @param runs  take the shares of the pore volumes, with force and where there are any
+/// @param runs  take the shares of pore volumes, if these are summed up
 /// @returns the rows of the lattice that the particles touch
 template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, typename Boxes>
 [[gnu::flatten]] RowRange scatter_range(const Particles& p, const ParticleRange& range,
                                         const Lattice& lattice, const NodeBlock& position, double* window,
                                         double gravity, [[maybe_unused]] CellRuns* runs) {
   constexpr std::size_t rows = Boxes::rows;
-  constexpr bool keeps_runs = force && coupling != PoreWaterCoupling::none;
+  constexpr bool wet = force && coupling != PoreWaterCoupling::none;
   const NodeArray nodes(position);
   const Axis x_axis(lattice.x0, lattice.h);
   const Axis y_axis(lattice.y0, lattice.h);
@@ -261,12 +275,16 @@ template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, 
   ChunkWeights<rows> w;
   FirstNodes seen(position, rows);
   ChunkStore store;
-  if constexpr (keeps_runs)
-    runs->restart(rows);
+  if constexpr (wet)
+    if (runs != nullptr)
+      runs->restart(rows);
   for (std::size_t k = range.begin; k < range.end; k += chunk) {
     const std::size_t count = std::min(chunk, range.end - k);
+    if constexpr (wet)
+      if (runs != nullptr)
+        runs->expect(count);
     by_fours(0, count, [&](std::size_t c, auto group) {
-      take_weights<force, motion != Motion::none && around != Around::uniform, keeps_runs>(
+      take_weights<force, motion != Motion::none && around != Around::uniform, wet>(
           p, k + c, c, group, nodes, x_axis, y_axis, boxes, w, seen);
     });
     if (!seen.in_window())
@@ -276,21 +294,18 @@ template <PoreWaterCoupling coupling, Motion motion, bool force, Around around, 
       soil.cross_x = &p.cross_x[k];
       soil.cross_y = &p.cross_y[k];
     }
-    scatter_phase<SoilPhase::pull, motion, force, around>(soil, count, w, lattice.h, g);
+    if constexpr (wet) {
+      soil.buoyancy = (1.0 - p.weight_share) * gravity;
+      soil.grains_per_mass = p.water->grains_per_mass;
+      soil.begin = k;
+      soil.runs = runs;
+    }
+    scatter_phase<SoilPhase::pull, motion, force, around, wet>(soil, count, w, lattice.h, g);
     if constexpr (coupling == PoreWaterCoupling::flow) {
-      const Arrays water = WaterPhase::arrays<force>(p, k, count, window, store);
+      Arrays water = WaterPhase::arrays<force>(p, k, count, window, store);
+      water.resistance = p.water->resistance();
       scatter_phase<WaterPhase::pull, motion, force, around>(water, count, w, lattice.h, g);
     }
-    if constexpr (force && coupling == PoreWaterCoupling::flow)
-      scatter_runs<4>(k, count, w, window + WaterPhase::first_scalar * window_nodes, *runs,
-                      [&](std::size_t of, auto group) {
-                        const auto [volume, resistance] = WaterPhase::scalars_of(p, of, group);
-                        const auto [buoyancy, pores] = numbers_of_water(p, of, group, gravity);
-                        return std::array{volume, resistance, buoyancy, pores};
-                      });
-    if constexpr (force && coupling == PoreWaterCoupling::numbers)
-      scatter_runs<2>(k, count, w, window + static_cast<std::size_t>(Sum::buoyancy) * window_nodes, *runs,
-                      [&](std::size_t of, auto group) { return numbers_of_water(p, of, group, gravity); });
   }
   return seen.rows();
 }
@@ -322,7 +337,7 @@ template <std::size_t count, typename Boxes, typename ValuesOf>
 }
 
 /// Scatters the particles of a set in a tile, by the boxes and velocities that the set has.
-/// @param runs  take the shares of their pore volumes
+/// @param runs  take the shares of pore volumes, if these are summed up
 /// @returns the rows of the lattice that they touch
 template <PoreWaterCoupling coupling, Motion motion, bool force>
 RowRange scatter_set(const Ground& ground, const Particles& p, int clock, std::size_t tile, double* window,

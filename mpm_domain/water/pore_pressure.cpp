@@ -8,6 +8,7 @@
 #include "mpm_domain/transfer/for_samples.hpp"
 #include "mpm_domain/transfer/scatter_kernel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -83,41 +84,59 @@ void complete_wet_cells(Ground& ground, std::vector<double> WaitingPressures::*p
   });
 }
 
+/// act(part, of_part) for the particles of a range, a chunk at a time, and the runs that these form.
+template <typename Act>
+void for_chunks(const ParticleRange& range, std::span<CellRun> runs, const Act& act) {
+  auto run = runs.begin();
+  for (std::size_t k = range.begin; k < range.end; k += chunk) {
+    const ParticleRange part{k, std::min(k + chunk, range.end)};
+    const auto first = run;
+    while (run != runs.end() && run->end <= part.end)
+      ++run;
+    act(part, std::span(first, run));
+  }
+}
+
 /// C of e = -dt theta/n. The excess pressures wait as W p_e.
 /// @param flux_x,flux_y  v_s + n w
 void compress(Ground& ground, double dt, const NodeField& flux_x, const NodeField& flux_y) {
-  const auto keep = [&](std::size_t s) {
-    WaitingPressures& waiting = ground.waiting_pressures[s];
-    return [&p = ground.sets[s], compression = waiting.compression.data(), excess = waiting.excess.data(),
+  // of a set, whose excess goes to an array that begins with that of a particle
+  const auto keep = [&](std::size_t s, double* excess, std::size_t begin) {
+    return [&p = ground.sets[s], compression = ground.waiting_pressures[s].compression.data(), excess, begin,
             dt](std::size_t k, auto group, const Lanes& divergence) {
       group.store(&compression[k], -dt * group.load(&p.volume[k]) * divergence);
-      group.store(&excess[k],
+      group.store(&excess[k - begin],
                   pore_volume(p, k, group) * (group.load(&p.pore_pressure[k]) - rest_pressure(p, k, group)));
     };
   };
   sum_in_cells(
       ground,
       [&](std::size_t s, const ParticleRange& range, std::size_t tile, const CellWindow& sums) {
-        for_divergences(ground, ground.sets[s], range, tile, flux_x, flux_y, keep(s));
+        const Particles& p = ground.sets[s];
         WaitingPressures& waiting = ground.waiting_pressures[s];
-        std::size_t k = range.begin;
-        for (CellRun& run : waiting.runs[tile].all()) {
-          double compression = 0.0;
-          double excess = 0.0;
-          for (; k < run.end; ++k) {
-            compression += waiting.compression[k];
-            excess += waiting.excess[k];
+        for_chunks(range, waiting.runs[tile].all(), [&](const ParticleRange& part, std::span<CellRun> runs) {
+          std::array<double, chunk> excess;
+          for_divergences(ground, p, part, tile, flux_x, flux_y, keep(s, excess.data(), part.begin));
+          std::size_t k = part.begin;
+          for (CellRun& run : runs) {
+            double compressed = 0.0;
+            run.weight = run.product = 0.0;
+            for (; k < run.end; ++k) {
+              compressed += waiting.compression[k];
+              run.weight += pore_volume(p, k);
+              run.product += excess[k - part.begin];
+            }
+            sums.add(static_cast<std::size_t>(run.cell), run.weight, compressed);
           }
-          run.product = excess;
-          sums.add(static_cast<std::size_t>(run.cell), run.weight, compression);
-        }
+        });
       },
       [&](std::size_t s, const AcrossTile& tile) {
-        for_divergences(tile, flux_x, flux_y, keep(s));
+        WaitingPressures& waiting = ground.waiting_pressures[s];
+        for_divergences(tile, flux_x, flux_y, keep(s, waiting.excess.data(), 0));
         const Particles& p = ground.sets[s];
         const CellFinder finder(*ground.mesh);
         for (std::size_t k = tile.weights.first(); k < tile.weights.end(); ++k)
-          ground.waiting_pressures[s].cell[k] = finder.at(p.x[k], p.y[k]).node;
+          waiting.cell[k] = finder.at(p.x[k], p.y[k]).node;
       });
   complete_wet_cells(ground, &WaitingPressures::compression);
 }
@@ -211,33 +230,41 @@ void average_again(Ground& ground) {
   complete_wet_cells(ground, &WaitingPressures::excess);
 }
 
-/// Gives the particles of a block the excess pressures of their cells.
-void take_excess(Ground& ground, const Particles& p, std::size_t block) {
-  WaitingPressures& waiting = waiting_of(ground, p);
-  std::size_t k = p.in_block(block).begin;
-  if (block >= ground.block_count()) {
-    for (; k < p.in_block(block).end; ++k)
-      waiting.excess[k] = mean_of_cell(ground.grid, waiting.cell[k]);
-    return;
-  }
-  WindowValues means;
-  read_means_of_cells(ground, block, means); // on the only clock a block is a tile
-  for (const CellRun& run : waiting.runs[block].all())
-    for (const double mean = means[static_cast<std::size_t>(run.cell)]; k < run.end; ++k)
-      waiting.excess[k] = mean;
-}
-
 /// Gives a range its pressures; returns the work by the trapezoidal rule.
-double take_pressures(Particles& p, const ParticleRange& range, const WaitingPressures& waiting) {
+/// @param excess  of the range
+Lanes take_pressures(Particles& p, const ParticleRange& range, const double* compression,
+                     const double* excess) {
   const Lanes least = all(p.water->fluid.cavitation_pressure);
   Lanes work{};
   by_fours(range.begin, range.end, [&](std::size_t k, auto group) {
     const Lanes before = group.load(&p.pore_pressure[k]);
     const Lanes at_rest = rest_pressure(p, k, group);
-    const Lanes after = at_rest + group.load(&waiting.excess[k]);
+    const Lanes after = at_rest + group.load(&excess[k - range.begin]);
     group.store(&p.pore_pressure[k], after);
-    work += (0.5 * (larger(before, least) + larger(after, least)) - at_rest) *
-            group.load(&waiting.compression[k]);
+    work += (0.5 * (larger(before, least) + larger(after, least)) - at_rest) * group.load(&compression[k]);
+  });
+  return work;
+}
+
+/// Gives the particles of a block the pressures of their cells; returns the work.
+double take_pressures(Ground& ground, Particles& p, std::size_t block) {
+  WaitingPressures& waiting = waiting_of(ground, p);
+  const ParticleRange range = p.in_block(block);
+  if (block >= ground.block_count()) {
+    for (std::size_t k = range.begin; k < range.end; ++k)
+      waiting.excess[k] = mean_of_cell(ground.grid, waiting.cell[k]);
+    return sum(take_pressures(p, range, waiting.compression.data(), &waiting.excess[range.begin]));
+  }
+  WindowValues means;
+  read_means_of_cells(ground, block, means); // on the only clock a block is a tile
+  Lanes work{};
+  for_chunks(range, waiting.runs[block].all(), [&](const ParticleRange& part, std::span<const CellRun> runs) {
+    std::array<double, chunk> excess;
+    std::size_t k = part.begin;
+    for (const CellRun& run : runs)
+      for (const double mean = means[static_cast<std::size_t>(run.cell)]; k < run.end; ++k)
+        excess[k - part.begin] = mean;
+    work += take_pressures(p, part, waiting.compression.data(), excess.data());
   });
   return sum(work);
 }
@@ -249,10 +276,8 @@ ExactSums<1> take_pressures(Ground& ground) {
   std::vector<std::array<double, 1>> works(blocks);
   ground.workers.run(blocks, [&](std::size_t block) {
     for (Particles& p : ground.sets)
-      if (const ParticleRange range = p.in_block(block); takes_pressure(p) && range.begin < range.end) {
-        take_excess(ground, p, block);
-        works[block][0] += take_pressures(p, range, waiting_of(ground, p));
-      }
+      if (const ParticleRange range = p.in_block(block); takes_pressure(p) && range.begin < range.end)
+        works[block][0] += take_pressures(ground, p, block);
   });
   return sums_of(std::span<const std::array<double, 1>>(works));
 }

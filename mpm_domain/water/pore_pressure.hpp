@@ -16,6 +16,9 @@
 //     C:  the mean of the particle's cell, sum W e / sum W,
 //     A:  e_i = sum_p W S_ip e_p / sum_p W S_ip,    then e_p = sum_i S_ip e_i.
 //
+// Particles that stand together in a cell read and bring the same e. They go through A as one run, with their
+// shares sum W S of the nodes (tiles/cell_runs.hpp), which come with the pore volumes of the nodes.
+//
 // C and A are self-adjoint for these weights, and so is C A C, which A C is not: the filter can add no
 // energy. It keeps sum W e = -dt sum V theta: no water is lost.
 //

@@ -59,7 +59,7 @@ void add_mixture(Ground& ground, std::span<const SumRange> fields) {
       [&](Particles& p, std::size_t tile, double* window) {
         if constexpr (takes_velocities)
           gather_mixture(ground, p, tile);
-        CellRuns* const runs = p.water ? &waiting_of(ground, p).runs[tile] : nullptr;
+        CellRuns* const runs = takes_pressure(p) ? &waiting_of(ground, p).runs[tile] : nullptr;
         if (p.traits.flowing)
           return scatter_set<PoreWaterCoupling::flow, motion, force>(ground, p, 0, tile, window, runs);
         RowRange rows =
