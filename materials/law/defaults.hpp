@@ -43,6 +43,12 @@ void stiffness_ratios(const L& /*law*/, const Points& points, double* ratios) {
 }
 
 template <class L>
+void update_and_find_stiffness(const L& law, const Points& points, double* ratios) {
+  stiffness_ratios(law, points, ratios);
+  update(law, points);
+}
+
+template <class L>
 const L& without_softening(const L& law) {
   return law;
 }

@@ -108,6 +108,11 @@ void stiffness_ratios(const Law& law, const Points& points, double* ratios) {
   std::visit([&](const auto& one) { stiffness_ratios(one, points, ratios); }, law);
 }
 
+void update_and_find_stiffness(const Law& law, const Points& points, double* ratios) {
+  using defaults::update_and_find_stiffness;
+  std::visit([&](const auto& one) { update_and_find_stiffness(one, points, ratios); }, law);
+}
+
 std::optional<Law> law_of_fields(std::string_view name, const Elasticity& elastic) {
   return first_named(name, elastic, std::type_identity<Laws>{});
 }

@@ -82,6 +82,9 @@ double p_wave_speed_bound(const Law& law, const Points& points);
 /// Poisson's ratio is a parameter, so one number suffices for all moduli.
 void stiffness_ratios(const Law& law, const Points& points, double* ratios);
 
+/// update(), which gives stiffness_ratios() of the points before the step too: sands need them on their way.
+void update_and_find_stiffness(const Law& law, const Points& points, double* ratios);
+
 /// A law that files give by its fields and the elastic constants alone, with no field set; nothing for other
 /// names.
 std::optional<Law> law_of_fields(std::string_view name, const Elasticity& elastic = {});

@@ -116,10 +116,16 @@ template <typename Group>
   if (p.relaxation.acts()) {
     sums.viscous += update_relaxing(p, begin, points, moved, dt);
   } else {
+    ChunkField ratios;
+    const bool varies = p.traits.damped && materials::traits(p.law).follows_pressure;
+    if (varies)
+      materials::update_and_find_stiffness(p.law, points, ratios.data());
+    else
+      materials::update(p.law, points);
     if (p.traits.damped)
-      sums.viscous += damp(p, {begin, begin + count}, {seen.exx.data(), seen.eyy.data(), seen.gxy.data()},
-                           {moved.exx.data(), moved.eyy.data(), moved.gxy.data()}, dt);
-    materials::update(p.law, points);
+      sums.viscous +=
+          damp(p, {begin, begin + count}, {seen.exx.data(), seen.eyy.data(), seen.gxy.data()},
+               {moved.exx.data(), moved.eyy.data(), moved.gxy.data()}, varies ? ratios.data() : nullptr, dt);
   }
   by_fours(0, count, [&](std::size_t c, auto group) {
     const std::size_t k = begin + c;

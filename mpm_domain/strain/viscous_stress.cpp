@@ -1,25 +1,10 @@
 #include "mpm_domain/strain/viscous_stress.hpp"
 
-#include <array>
-
 namespace tremolo::mpm_domain {
 
-namespace {
-
-/// The elastic tangent of each of a group's particles over elasticity(law).
-template <typename Group>
-Lanes tangent_factor(Particles& p, std::size_t k, Group group) {
-  std::array<double, 4> ratios{};
-  materials::stiffness_ratios(p.law, p.points(k, group.count), ratios.data());
-  return load(ratios.data());
-}
-
-} // namespace
-
 double damp(Particles& p, const ParticleRange& range, const StrainIncrements& seen,
-            const StrainIncrements& moved, double dt) {
+            const StrainIncrements& moved, const double* ratios, double dt) {
   const materials::Elasticity& elastic = materials::elasticity(p.law);
-  const bool follows_pressure = materials::traits(p.law).follows_pressure;
   const double rate = p.damping_time / dt;
   const double along = rate * elastic.p_modulus();
   const double across = rate * elastic.lame();
@@ -36,7 +21,7 @@ double damp(Particles& p, const ParticleRange& range, const StrainIncrements& se
     };
     const Lanes volume = group.load(&p.volume[k]);
     work += 0.5 * volume * power();
-    const Lanes factor = follows_pressure ? tangent_factor(p, k, group) : all(1.0);
+    const Lanes factor = ratios != nullptr ? group.load(ratios + c) : all(1.0);
     const Lanes seen_xx = group.load(&seen.exx[c]);
     const Lanes seen_yy = group.load(&seen.eyy[c]);
     group.store(&p.viscous_xx[k], factor * (along * seen_xx + across * seen_yy));

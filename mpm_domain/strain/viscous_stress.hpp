@@ -30,12 +30,15 @@ struct StrainIncrements {
 };
 
 /// The viscous stress of particles of a damped set for the increments of a step of dt (s). To be called
-/// before the law and the volumes follow the increments.
+/// before the volumes follow the increments.
 /// @param seen   the increments that the law sees, whose rate the stress takes: soil that is not to lock must
 ///               not be held by its damping either
 /// @param moved  those by which the particles have moved, which it works on
+/// @param ratios  materials::stiffness_ratios() before the law has followed the increments, one a particle;
+/// null:
+///                1
 /// @returns the work that the viscous stresses dissipate, (V s + V' s') : de/2 of those before and after, J/m
 double damp(Particles& particles, const ParticleRange& range, const StrainIncrements& seen,
-            const StrainIncrements& moved, double dt);
+            const StrainIncrements& moved, const double* ratios, double dt);
 
 } // namespace tremolo::mpm_domain

@@ -34,8 +34,9 @@ InPlaneStressOf<Lanes> tension(const pm4::Stresses& stress) {
 }
 
 /// Advances one to four points from i on.
+/// @param ratios  take the stiffness_ratios() of all points before the step; null: nobody wants them
 template <typename Group>
-void advance(const Pm4Sand& law, const Points& points, std::size_t i, Group group) {
+void advance(const Pm4Sand& law, const Points& points, std::size_t i, Group group, double* ratios) {
   double* const blocks = points.state + i * pm4::state_size;
   auto states = load_four<pm4::States>(blocks, pm4::state_size, group.count);
   const FourTurned here = turned(points, i, group, states.angle);
@@ -46,16 +47,24 @@ void advance(const Pm4Sand& law, const Points& points, std::size_t i, Group grou
   const pm4::Stresses& offset = states.start.offset;
   pm4::Stresses stress{reported.p - offset.p, reported.s - offset.s};
   const Lanes size = magnitude(strain.volumetric) + magnitude(strain.e.d) + magnitude(strain.e.s);
-  const Lanes work = pm4::integrate(law, states, stress, strain, size > 0.0).plastic_work;
+  const pm4::Integrated taken = pm4::integrate(law, states, stress, strain, size > 0.0);
   for (std::size_t lane = 0; lane < group.count; ++lane)
-    if (!std::isfinite(work[lane]))
+    if (!std::isfinite(taken.plastic_work[lane]))
       throw std::domain_error(fmt::format("pm4sand: no finite stress of point {} follows from its strain "
                                           "increment",
                                           i + lane));
   const InPlaneStressOf<Lanes> after =
       here.axes.to_space(tension({stress.p + offset.p, stress.s + offset.s}));
-  store_response(points, i, group, after, law.elastic.poisson * (after.xx + after.yy), work);
+  store_response(points, i, group, after, law.elastic.poisson * (after.xx + after.yy), taken.plastic_work);
   store_four(states, blocks, pm4::state_size, group.count);
+  if (ratios != nullptr)
+    group.store(ratios + i, taken.shear_modulus / law.elastic.shear_modulus());
+}
+
+void advance_all(const Pm4Sand& law, const Points& points, double* ratios) {
+  check_increments("pm4sand", points, largest_increment);
+  check_finite("pm4sand", points, pm4::state_size);
+  by_fours(0, points.count, [&](std::size_t i, auto group) { advance(law, points, i, group, ratios); });
 }
 
 } // namespace
@@ -69,9 +78,11 @@ void initialise(const Pm4Sand& law, const Points& points) {
 }
 
 void update(const Pm4Sand& law, const Points& points) {
-  check_increments("pm4sand", points, largest_increment);
-  check_finite("pm4sand", points, pm4::state_size);
-  by_fours(0, points.count, [&](std::size_t i, auto group) { advance(law, points, i, group); });
+  advance_all(law, points, nullptr);
+}
+
+void update_and_find_stiffness(const Pm4Sand& law, const Points& points, double* ratios) {
+  advance_all(law, points, ratios);
 }
 
 double p_wave_speed_bound(const Pm4Sand& law, const Points& points) {

@@ -157,6 +157,8 @@ double p_wave_speed_bound(const Pm4Sand& law, const Points& points);
 
 /// G over G_o p_A of each point, as pressure, stress ratio and fabric leave it.
 void stiffness_ratios(const Pm4Sand& law, const Points& points, double* ratios);
+/// The first sub-step of an update begins with them.
+void update_and_find_stiffness(const Pm4Sand& law, const Points& points, double* ratios);
 
 /// @throws std::invalid_argument naming the parameter, its value and the allowed range
 void validate(const Pm4Sand& law);

@@ -147,9 +147,10 @@ struct Attempt {
   Motions now;
   Stresses stress;
   Lanes plastic_work;
-  Lanes part;        ///< of the strain that was asked for: up to the yield surface, where that is reached
-  Lanes error2;      ///< square of the relative error
-  LaneMask reverses; ///< where the memory changes, to:
+  Lanes part;          ///< of the strain that was asked for: up to the yield surface, where that is reached
+  Lanes error2;        ///< square of the relative error
+  Lanes shear_modulus; ///< at the start, Pa
+  LaneMask reverses;   ///< where the memory changes, to:
   Memories memory;
 };
 
@@ -174,6 +175,7 @@ void attempt(const Pm4Sand& law, const States& from, const Stresses& stress, con
   Lanes gap = from.now.gap;
   Strains strain = skeleton_strain(start, stress, asked, gap);
   Sites first = site(law, start, from.memory, from.now, stress);
+  result.shear_modulus = first.G;
   const Changes trial = elastic_change(first, strain);
   const Lanes trial_p = larger(floor_pressure(start), stress.p + trial.stress.p);
   const Deviators heading = stress.s + trial.stress.s - trial_p * from.now.alpha;
@@ -233,11 +235,14 @@ Integrated integrate(const Pm4Sand& law, States& states, Stresses& stress, const
   LaneMask rejected{};
   LaneMask going = strained;
   Attempt next;
+  if (!any(going))
+    result.shear_modulus = site(law, states.start, states.memory, states.now, stress).G;
   while (any(going)) {
     const LaneMask last = done + length * (1.0 + 1e-9) >= 1.0;
     const Lanes taken = choose(last, 1.0 - done, length);
     attempt(law, states, stress, taken * increment, next);
-    ++result.attempts;
+    if (result.attempts++ == 0)
+      result.shear_modulus = next.shear_modulus;
     const LaneMask finite = is_finite(next.error2) & is_finite(next.plastic_work);
     const LaneMask refused = ~(finite & (next.error2 <= tolerance2)) & (taken > smallest);
     const Lanes fitting = safety * sqrt(sqrt(tolerance2 / larger(all(1e-300), next.error2)));

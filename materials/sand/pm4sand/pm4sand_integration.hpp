@@ -24,8 +24,9 @@ namespace tremolo::materials::pm4 {
 
 /// Results of an integration besides stresses and states.
 struct Integrated {
-  Lanes plastic_work{}; ///< J/m3; NaN where no finite stress follows: stress and state then have no meaning
-  long attempts = 0;    ///< at a sub-step of the four: what the integration costs
+  Lanes plastic_work{};  ///< J/m3; NaN where no finite stress follows: stress and state then have no meaning
+  Lanes shear_modulus{}; ///< at the start, Pa; of the points that stay as they are too
+  long attempts = 0;     ///< at a sub-step of the four: what the integration costs
 };
 
 /// Takes stresses and states of four points over their strain increments.

@@ -29,7 +29,9 @@ Spec damped_box(const materials::Law& law) {
 double damp_all(Particles& set) {
   const std::vector<double> xx(set.size(), exx), yy(set.size(), eyy), xy(set.size(), gxy);
   const StrainIncrements increments{xx.data(), yy.data(), xy.data()};
-  return damp(set, {0, set.size()}, increments, increments, dt);
+  std::vector<double> ratios(set.size());
+  materials::stiffness_ratios(set.law, set.points(0, set.size()), ratios.data());
+  return damp(set, {0, set.size()}, increments, increments, ratios.data(), dt);
 }
 
 TEST(ViscousStress, IsTheElasticOneOfTheStrainRate) {
