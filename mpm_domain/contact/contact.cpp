@@ -390,7 +390,7 @@ double Contact::move(Ground& ground, double dt) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!elastic_[b])
       bodies_[b].move(dt);
-    const PushedOut pushed = push_out(ground, surface(b), nodes_[b].near());
+    const PushedOut pushed = push_out(ground, surface(b), nodes_[b].may_enter());
     farthest = std::max(farthest, pushed.farthest);
     pushed_out_ += pushed.count;
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <ranges>
 
 namespace tremolo::mpm_domain {
@@ -99,6 +100,12 @@ PushedOut push_out(Ground& ground, const BodySurface& surface, std::span<const N
 
 void ContactNodes::follow_sort(const Ground& ground, const BodySurface& surface, double margin) {
   near_ = particles_near(ground, surface.bounds(), margin);
+  const double way = 2.0 * ground.sort_distance(); // of a particle and the body towards each other
+  may_enter_.clear();
+  std::ranges::copy_if(near_, std::back_inserter(may_enter_), [&](const NearParticle& of) {
+    const Particles& p = ground.sets[of.set];
+    return surface.nearest({p.x[of.index], p.y[of.index]}).distance <= way;
+  });
   for (OtherStructure& other : others_)
     other.near = particles_near(ground, widened(surface.bounds(), margin), other.number);
 }

@@ -156,6 +156,8 @@ public:
   const std::vector<ContactNode>& nodes() const { return nodes_; }
   /// Particles of the soil near the body.
   const std::vector<NearParticle>& near() const { return near_; }
+  /// Those of them that may come to lie in the body until the next sort.
+  const std::vector<NearParticle>& may_enter() const { return may_enter_; }
 
 private:
   /// Sums at a node of the window.
@@ -204,7 +206,7 @@ private:
   /// Finds the arms of the nodes of a rigid body (bearing.cpp).
   void bear_on(const BodySurface& surface, const Vector& centre, double h);
 
-  std::vector<NearParticle> near_;
+  std::vector<NearParticle> near_, may_enter_;
   std::vector<OtherStructure> others_;
   std::vector<Touch> touches_;              ///< by near particle of one meeting
   std::vector<std::vector<Entry>> entries_; ///< by near particle, in parts
