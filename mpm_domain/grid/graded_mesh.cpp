@@ -154,4 +154,21 @@ GradedMesh::GradedMesh(const mesh::Roots& roots, std::span<const mesh::Refinemen
   Ties(*this, prolongation_).tie_all();
 }
 
+std::optional<mesh::Cell> GradedMesh::part_at(double x, double y) const {
+  const mesh::Roots& roots = tree_.roots();
+  mesh::Cell cell{0, static_cast<int>(std::floor((x - roots.x0) / roots.h)),
+                  static_cast<int>(std::floor((y - roots.y0) / roots.h))};
+  const mesh::Rectangle root = tree_.rectangle(cell); // its edges, rounded, decide
+  cell.i += (x >= root.x_max ? 1 : 0) - (x < root.x_min ? 1 : 0);
+  cell.j += (y >= root.y_max ? 1 : 0) - (y < root.y_min ? 1 : 0);
+  if (!tree_.exists(cell))
+    return std::nullopt;
+  while (tree_.exists(cell) && (tree_.is_cut(cell) || is_split(tree_, cell))) {
+    const mesh::Cell last{cell.level + 1, 2 * cell.i + 1, 2 * cell.j + 1};
+    const mesh::Rectangle quarter = tree_.rectangle(last);
+    cell = {last.level, x < quarter.x_min ? last.i - 1 : last.i, y < quarter.y_min ? last.j - 1 : last.j};
+  }
+  return cell;
+}
+
 } // namespace tremolo::mpm_domain

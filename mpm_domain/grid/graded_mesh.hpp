@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,6 +61,10 @@ public:
         if (tree_.exists({0, i, j}))
           for_parts_in({0, i, j}, box, act);
   }
+
+  /// The leaf that is not split, or the quarter, that holds a point, as for_parts() finds it; none beyond the
+  /// roots.
+  std::optional<mesh::Cell> part_at(double x, double y) const;
 
   /// Levels of the cells that a box touches, and whether there is a quarter of a split leaf among them.
   struct Touched {

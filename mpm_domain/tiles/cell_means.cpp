@@ -7,13 +7,12 @@
 namespace tremolo::mpm_domain {
 
 std::size_t CellFinder::leaf_at(double x, double y) const {
-  std::size_t node = 0;
-  mesh_->for_parts({x, y, x, y}, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
-    const bool is_leaf = mesh_->tree().exists(cell);
-    node = is_leaf ? mesh_->node(cell.level, cell.i, cell.j)
-                   : mesh_->node(cell.level - 1, cell.i / 2, cell.j / 2); // a quarter of one
-  });
-  return node;
+  const std::optional<mesh::Cell> cell = mesh_->part_at(x, y);
+  if (!cell)
+    return 0;
+  return mesh_->tree().exists(*cell)
+             ? mesh_->node(cell->level, cell->i, cell->j)
+             : mesh_->node(cell->level - 1, cell->i / 2, cell->j / 2); // a quarter of one
 }
 
 void clear_cells(Ground& ground) {

@@ -77,6 +77,32 @@ TEST(GradedMesh, RealNodesAreTiedToNothing) {
       EXPECT_FALSE(tied[share.node]);
 }
 
+/// At random points, on the edges of cells, and beyond the mesh.
+TEST(GradedMesh, ThePartAtAPointIsTheOneThatABoxWithoutSizeBelongsTo) {
+  const GradedMesh mesh = test::l_shaped_mesh();
+  const mesh::Roots& roots = mesh.tree().roots();
+  const double finest = mesh.tree().size(mesh.tree().finest() + 1);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> along(-0.1, 1.1);
+  int split = 0;
+  for (int k = 0; k < 20000; ++k) {
+    double x = roots.x0 + along(random) * roots.nx * roots.h;
+    double y = roots.y0 + along(random) * roots.ny * roots.h;
+    if (k % 2 == 0)
+      x = roots.x0 + std::round((x - roots.x0) / finest) * finest;
+    if (k % 3 == 0)
+      y = roots.y0 + std::round((y - roots.y0) / finest) * finest;
+    std::optional<mesh::Cell> expected;
+    mesh.for_parts({x, y, x, y}, [&](const mesh::Cell& cell, const mesh::Rectangle&) {
+      EXPECT_FALSE(expected);
+      expected = cell;
+    });
+    EXPECT_EQ(mesh.part_at(x, y), expected) << x << ", " << y;
+    split += expected && !mesh.tree().exists(*expected) ? 1 : 0;
+  }
+  EXPECT_GT(split, 100);
+}
+
 TEST(GradedMesh, AUniformMeshHasOneLatticeAndNoTies) {
   const GradedMesh mesh({.h = 0.5, .nx = 4, .ny = 3}, {});
   ASSERT_EQ(mesh.lattices().size(), 1U);
