@@ -63,7 +63,7 @@ void advance(const Pm4Sand& law, const Points& points, std::size_t i, Group grou
 
 void advance_all(const Pm4Sand& law, const Points& points, double* ratios) {
   check_increments("pm4sand", points, largest_increment);
-  check_finite("pm4sand", points, pm4::state_size);
+  check_finite("pm4sand", points, pm4::state_size, pm4::state_size);
   by_fours(0, points.count, [&](std::size_t i, auto group) { advance(law, points, i, group, ratios); });
 }
 
