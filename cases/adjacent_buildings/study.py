@@ -49,7 +49,10 @@ ALONE = {FREE_FIELD: FREE_FIELD.replace(" }", ", spring = false }")}
 ELEMENTS = {FREE_FIELD: FREE_FIELD.replace('"mpm"', '"fe"')}
 OBLIQUE = {"angle_deg = 0.0\n": "angle_deg = 15.0\n"}
 FINER = COARSE | {"size = 0.5\n": "size = 0.5\n"}
-FINEST = COARSE | {"[boundary]\n": "[[refine]]\nbox = [-9.0, -3.0, 16.0, 1.0]\nlevel = 2\n\n[boundary]\n"}
+REFINED = "[[refine]]\nbox = [-9.0, -3.0, 16.0, 1.0]\nlevel = 2\n\n"
+FINEST = COARSE | {"[boundary]\n": f"{REFINED}[boundary]\n"}
+# Motions of nearly one strength on the finest cells, as sweep.toml has them on cells of 1 m.
+SCALES = (0.90, 0.92, 0.94, 0.96, 0.98, 1.00, 1.02, 1.04, 1.06, 1.08)
 
 
 def tall(width, gap=2.5, depth=0.5):
@@ -128,6 +131,15 @@ VARIANTS = {
     "pm4sand": ("PM4Sand, 55 %", COARSE | {'library = "pdmy03_dr57"': 'library = "pm4sand_dr55"'}),
     "elastic": ("elastic, E = 10 MPa", COARSE | elastic(TALL, WALLS) | elastic(LOW, "density = 340.0")),
 }
+
+
+def scaled(scale):
+    """The finest variant under a scaled motion, with a longer step, until 4 s after the shaking."""
+    return FINEST | {
+        RECORD: f"scale = {scale}\n{RECORD}",
+        "[boundary]\n": f"{REFINED}[time]\nfraction = 0.8\n\n[boundary]\n",
+        "duration_s = 20.0\n": "duration_s = 4.0\n",
+    }
 
 
 def tilt(run, name):
@@ -254,6 +266,19 @@ def stress_path(run, folder):
     return style.save(figure, folder, "stress_path.png")
 
 
+def ensemble(tremolo, folder):
+    """Prints what the buildings do under each of the motions of nearly one strength, and mean and deviation of it."""
+    rows = []
+    for scale in SCALES:
+        with run_variant(tremolo, CASE, scaled(scale), folder, f"finest_{scale:.2f}") as run:
+            rows.append([tilt(run, "tall")[-1], tilt(run, "low")[-1], *(settlement(run, name)[-1] for name in ("tall", "low")), rise(run)[0][-1]])
+    print("\n| motion | tilt of the tall one, ° | of the low one, ° | settlement of the tall one, m | of the low one, m | rise of the soil between, m |")
+    print("| --- | --- | --- | --- | --- | --- |")
+    labels = [f"{scale:.2f}" for scale in SCALES] + ["mean", "deviation"]
+    for label, row in zip(labels, [*rows, np.mean(rows, axis=0), np.std(rows, axis=0, ddof=1)]):
+        print(f"| {label} | " + " | ".join(f"{value:.2f}" for value in row) + " |")
+
+
 def main():
     tremolo = sys.argv[1] if len(sys.argv) > 1 else "build/release/bin/tremolo"
     folder = Path(sys.argv[2] if len(sys.argv) > 2 else "runs/adjacent_buildings")
@@ -275,6 +300,7 @@ def main():
             )
             if name == "main":
                 pictures = [make(run, folder) for make in (histories, final_displacement, stress_path)]
+    ensemble(tremolo, folder)
     print(*pictures, sep="\n")
 
 
