@@ -1,9 +1,11 @@
 #include "mpm_domain/boundary/boundary.hpp"
 
 #include "mpm_domain/ground.hpp"
+#include "mpm_domain/ranks/passed_state.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace tremolo::mpm_domain {
 
@@ -37,6 +39,12 @@ void Boundary::build_supports(const Ground& ground) {
   const auto more =
       std::ranges::count_if(faces_, [](const BoundaryFace& face) { return face.behind.has_own_field; });
   free_field_.assign(faces_.size() + static_cast<std::size_t>(more), {});
+  follow_all();
+}
+
+void Boundary::follow_all() {
+  followed_.resize(faces_.size());
+  std::iota(followed_.begin(), followed_.end(), std::size_t{0});
 }
 
 void Boundary::remove_faces() {
@@ -45,6 +53,8 @@ void Boundary::remove_faces() {
   supports_ = {};
   motion_ = {};
   near_ = {};
+  passed_ = {};
+  followed_ = {};
 }
 
 SavedNumbers Boundary::rest_state() {
@@ -62,12 +72,35 @@ void Boundary::follow_sort(const Ground& ground) {
   soil_.follow_sort(ground, faces_);
   near_.follow_sort(ground, faces_, soil_);
   motion_.forget_weights();
+  passed_.follow_sort(ground, faces_, near_.all(), near_.lacks_some() && supports_.are_by_face());
+  if (ground.share)
+    catch_up(ground);
+}
+
+/// The first rank follows all faces, others those that they work out. Where one of these begins to work out
+/// others, supports of all go on from the state of the first.
+void Boundary::catch_up(const Ground& ground) {
+  Communicator& ranks = *ground.share->ranks;
+  double is_behind = 0.0;
+  if (!supports_.all().empty()) {
+    is_behind = std::ranges::includes(followed_, near_.all()) ? 0.0 : 1.0;
+    ranks.largest({&is_behind, 1});
+  }
+  if (is_behind > 0.0) {
+    PassedState of_first;
+    supports_.save(of_first);
+    of_first.follow_first(ranks);
+    supports_.restore(of_first);
+  }
+  if (ranks.rank() > 0)
+    followed_.assign(near_.all().begin(), near_.all().end());
 }
 
 void Boundary::exchange(Step& step, const FreeFieldSource& source) {
   motion_.begin_step(step, faces_, near_, soil_.all());
   source(step.count, step.time, motion_.seen(), free_field_);
-  for (std::size_t f = 0; f < faces_.size(); ++f)
+  passed_.pass(step.ground, free_field_);
+  for (const std::size_t f : followed_)
     evaluate(f);
   if (step.ground.has_pore_pressure())
     lean_.find(step.ground, faces_, soil_.all(), free_field_);

@@ -14,6 +14,7 @@
 #include "mpm_domain/boundary/base/rigid_base.hpp"
 #include "mpm_domain/boundary/face_forces.hpp"
 #include "mpm_domain/boundary/face_soil.hpp"
+#include "mpm_domain/boundary/near/passed_field.hpp"
 #include "mpm_domain/boundary/supports.hpp"
 
 #include <functional>
@@ -23,8 +24,9 @@
 namespace tremolo::mpm_domain {
 
 /// Gives every face the free field of a time (s) in which the domain's velocities there are v (m/s). Called
-/// once a step; faces that are tied to the opposite side are left as they are. Behind the faces' own stand
-/// the fields that faces have beside them (Behind::has_own_field), in the order of these faces.
+/// once a step, where ranks share the domain on all of them, whose first one's counts; faces that are tied to
+/// the opposite side are left as they are. Behind the faces' own stand the fields that faces have beside them
+/// (Behind::has_own_field), in the order of these faces.
 using FreeFieldSource =
     std::function<void(long step, double time, std::span<const Vector> v, std::span<eq6::FreeField> field)>;
 
@@ -109,11 +111,14 @@ public:
       faces_[f].level = static_cast<int>(levels[f]);
     motion_.restore(from);
     supports_.restore(from);
+    follow_all();
   }
 
 private:
   SavedNumbers rest_state();
   void build_supports(const Ground& ground);
+  void follow_all();
+  void catch_up(const Ground& ground);
   void evaluate(std::size_t face);
   FaceLoads loads() const { return {faces_, near_, motion_, traction_, supports_.loads(), lean_}; }
 
@@ -124,6 +129,8 @@ private:
   FaceMotion motion_;
   FaceForces forces_;
   LeaningSides lean_;
+  PassedField passed_;
+  std::vector<std::size_t> followed_;      ///< faces whose Eq. (6) and supports this rank evaluates, rising
   std::vector<eq6::FreeField> free_field_; ///< of the faces, and those that some have beside it
   std::vector<eq6::Traction> traction_;    ///< Eq. (6) at the start of each face's present step, Pa
 };

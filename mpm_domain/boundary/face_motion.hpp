@@ -19,7 +19,7 @@
 // would hold up ground that settles while its water rises.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
-#include "mpm_domain/boundary/near_faces.hpp"
+#include "mpm_domain/boundary/near/near_faces.hpp"
 #include "mpm_domain/passes/step.hpp"
 
 #include <span>

@@ -58,6 +58,9 @@ public:
   /// Whether its exchange has a row of its own in the table of times; otherwise it counts as boundary
   /// exchange.
   virtual bool is_timed() const { return false; }
+  /// Whether what it does at a face depends on nothing but what it knows of that face. Ranks then need to
+  /// advance it at no faces but those that they work out.
+  virtual bool is_by_face() const { return false; }
   /// After a sort: the grid may have grown.
   virtual void follow_sort(const Ground&) {}
   /// Goes on to the time of an exchange, and leaves what it exerts from then on.

@@ -7,6 +7,8 @@
 #include "mpm_domain/boundary/tied/periodic_springs.hpp"
 #include "mpm_domain/ground.hpp"
 
+#include <algorithm>
+
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -39,6 +41,10 @@ FaceSupports::FaceSupports(const Ground& ground, std::span<BoundaryFace> faces) 
       all_.push_back(kind.make(ground, faces));
   if (!all_.empty())
     loads_.resize(faces.size());
+}
+
+bool FaceSupports::are_by_face() const {
+  return std::ranges::all_of(all_, [](const auto& support) { return support->is_by_face(); });
 }
 
 void FaceSupports::follow_sort(const Ground& ground) {

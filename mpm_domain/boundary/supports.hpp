@@ -26,6 +26,8 @@ public:
     return nullptr;
   }
 
+  /// Whether all are (Support::is_by_face).
+  bool are_by_face() const;
   void follow_sort(const Ground& ground);
   /// One of them goes on to the time of an exchange.
   void exchange(Support& support, const Exchange& at) { support.exchange(at, loads_); }

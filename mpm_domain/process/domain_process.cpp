@@ -47,22 +47,11 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Rank 0 asks the coupler for the free field and passes it to all others.
-FreeFieldSource coupled_source(const Domain& domain, CoupledFaces& faces, coupler::DomainClient* client,
-                               double& waiting_seconds) {
-  return [&domain, &faces, client, &waiting_seconds](long step, double time, auto v, auto field) {
+/// Rank 0 asks the coupler for the free field.
+FreeFieldSource coupled_source(CoupledFaces& faces, coupler::DomainClient* client, double& waiting_seconds) {
+  return [&faces, client, &waiting_seconds](long step, double time, auto v, auto field) {
     if (client != nullptr)
       waiting_seconds = faces.exchange(*client, static_cast<std::uint64_t>(step), time, v, field);
-    if (!domain.share)
-      return;
-    std::vector<double> numbers;
-    for (const eq6::FreeField& f : field)
-      numbers.insert(numbers.end(), {f.velocity.x, f.velocity.y, f.stress.xx, f.stress.yy, f.stress.xy});
-    domain.share->ranks->follow_first(numbers);
-    auto next = numbers.begin();
-    for (eq6::FreeField& f : field)
-      for (double* number : {&f.velocity.x, &f.velocity.y, &f.stress.xx, &f.stress.yy, &f.stress.xy})
-        *number = *next++;
   };
 }
 
@@ -209,7 +198,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
     if (ranks != nullptr)
       share_out(domain, *ranks);
     snapshot.follow(followed);
-    Stepper stepper(domain, 0.0, coupled_source(domain, coupled, client, waiting_seconds));
+    Stepper stepper(domain, 0.0, coupled_source(coupled, client, waiting_seconds));
     std::optional<coupler::DomainClient::FirstStep> first;
     if (saved != nullptr) {
       stepper.restore(*saved);

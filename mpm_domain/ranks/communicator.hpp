@@ -40,6 +40,11 @@ public:
   virtual void share(std::span<double> numbers, std::span<const int> counts) = 0;
   /// All take the numbers of rank 0.
   virtual void follow_first(std::span<double> numbers) = 0;
+  /// Each rank takes its part of what rank 0 has.
+  /// @param numbers  the parts of ranks 0, 1, ...; read on rank 0 alone
+  /// @param counts   length of each part, likewise
+  virtual void deal_out(std::span<const double> numbers, std::span<const int> counts,
+                        std::span<double> part) = 0;
   /// Gives every rank its list, and returns those that the ranks gave to this one.
   virtual std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) = 0;
 

@@ -142,6 +142,16 @@ public:
     wait();
   }
 
+  void deal_out(std::span<const double> numbers, std::span<const int> counts,
+                std::span<double> part) override {
+    length(numbers.size());
+    std::vector<int> begins(counts.size(), 0);
+    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+    MPI_Iscatterv(numbers.data(), counts.data(), begins.data(), MPI_DOUBLE, part.data(), length(part.size()),
+                  MPI_DOUBLE, 0, MPI_COMM_WORLD, &requests_.emplace_back());
+    wait();
+  }
+
   std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) override {
     const auto ranks = static_cast<std::size_t>(size_);
     std::vector<std::uint64_t> sizes(ranks);

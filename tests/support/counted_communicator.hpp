@@ -18,9 +18,9 @@ namespace tremolo::test_support {
 class CountedCommunicator : public mpm_domain::Communicator {
 public:
   /// What ranks do together, and wait(), which ends what send() and receive() have begun.
-  enum class Kind { wait, add, largest, totals, share, follow_first, swap };
-  static constexpr std::array<std::string_view, 7> names = {"wait",  "add",          "largest", "totals",
-                                                            "share", "follow_first", "swap"};
+  enum class Kind { wait, add, largest, totals, share, follow_first, deal_out, swap };
+  static constexpr std::array<std::string_view, 8> names = {"wait",  "add",          "largest",  "totals",
+                                                            "share", "follow_first", "deal_out", "swap"};
 
   struct Count {
     std::uint64_t calls = 0;
@@ -59,6 +59,10 @@ public:
   }
   void follow_first(std::span<double> numbers) override {
     timed(Kind::follow_first, numbers.size_bytes(), [&] { ranks_.follow_first(numbers); });
+  }
+  void deal_out(std::span<const double> numbers, std::span<const int> counts,
+                std::span<double> part) override {
+    timed(Kind::deal_out, numbers.size_bytes(), [&] { ranks_.deal_out(numbers, counts, part); });
   }
   std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) override {
     std::vector<std::vector<double>> received;

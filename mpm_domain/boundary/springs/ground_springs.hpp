@@ -48,6 +48,7 @@ public:
   GroundSprings(const Ground& ground, std::span<BoundaryFace> faces);
 
   std::string name() const override { return "ground springs"; }
+  bool is_by_face() const override { return true; }
   void exchange(const Exchange& at, std::span<SupportLoad> loads) override;
   /// All of it is stored but for what a lag dissipates.
   double work() const override { return work_; }

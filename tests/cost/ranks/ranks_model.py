@@ -6,7 +6,7 @@
     H  halo          2 (alpha + (m - 1) o) + b/beta                   m neighbours, b bytes in the two scatters of a step
     B  boundary      n t_f + F t_e                                    n faces near the rank's tiles; all F, Eq. (6) alone
     A  share         k ((P - 1) o + alpha) + (P - 1)/P b_s/beta       k calls of all to all, b_s bytes, one message a pair
-    S  follow_first  ceil(log2 P) (alpha + b_f/beta)                  the free field, down a tree
+    S  deal_out      (P - 1) o + alpha + b_f/beta                     the free field, to each rank that of its near faces
     R  totals        q 2 ceil(log2 P) (alpha + b_q/beta)              q sums or extremes, up a tree and down
 
 alpha: latency, o: time of the processor for a message, beta: bandwidth. How often a step calls each comes from what
@@ -53,7 +53,7 @@ class Calls:
 
     share: float
     totals: float  # add, largest, and both together
-    follow_first: float
+    deal_out: float
     totals_bytes: float  # all calls together
 
 
@@ -91,18 +91,30 @@ def near_faces(particles, ranks):
     return min(rank_tiles.faces(columns, rows), 2 * cells)
 
 
-def follow_first_bytes(columns, rows):
-    return NUMBER * 5 * rank_tiles.faces(columns, rows)
+def passed_faces(particles, ranks):
+    """Near faces of all ranks together: those within REACH of two pieces along the boundary count for both."""
+    columns, rows = box(particles)
+    if ranks == 1:
+        return rank_tiles.faces(columns, rows)
+    side = math.sqrt(particles / ranks / (rank_tiles.PARTICLES_PER_CELL * rank_tiles.TILE[0] * rank_tiles.TILE[1]))
+    pieces = columns / (rank_tiles.TILE[0] * side) + 2 * rows / (rank_tiles.TILE[1] * side)
+    return rank_tiles.faces(columns, rows) + pieces * 2 * (2 * rank_tiles.REACH)
 
 
-def step(machine, calls, particles, ranks, uneven=UNEVEN, cells=None, halo=None, neighbours=None, near=None):
+def field_bytes(near_faces_of_all):
+    """Bytes of the free field that the first rank gives away."""
+    return NUMBER * 5 * near_faces_of_all
+
+
+def step(machine, calls, particles, ranks, uneven=UNEVEN, cells=None, halo=None, neighbours=None, near=None, passed=None):
     """The terms of a step, s, by name.
-    cells, halo, neighbours, near: columns and rows, bytes, neighbours and near faces of a rank; those of the typical box
-    if left out."""
+    cells, halo, neighbours, near, passed: columns and rows, bytes, neighbours and near faces of a rank, near faces of all;
+    those of the typical box if left out."""
     columns, rows = cells or box(particles)
     neighbours = min(NEIGHBOURS, ranks - 1) if neighbours is None else neighbours
     halo = halo_bytes(particles, ranks) if halo is None else halo
     near = near_faces(particles, ranks) if near is None else near
+    passed = passed_faces(particles, ranks) if passed is None else passed
     depth = math.ceil(math.log2(ranks))
     alpha, o, beta = machine.alpha, machine.overhead, machine.beta
     terms = {
@@ -116,7 +128,7 @@ def step(machine, calls, particles, ranks, uneven=UNEVEN, cells=None, halo=None,
     if ranks > 1:
         terms["halo"] = SCATTERS * (alpha + (neighbours - 1) * o) + halo / beta
         terms["share"] = calls.share * ((ranks - 1) * o + alpha) + (ranks - 1) / ranks * share_bytes(columns, rows) / beta
-        terms["free field"] = depth * (calls.follow_first * alpha + follow_first_bytes(columns, rows) / beta)
+        terms["free field"] = calls.deal_out * ((ranks - 1) * o + alpha) + field_bytes(passed) / beta
         terms["totals"] = 2 * depth * (calls.totals * alpha + calls.totals_bytes / beta)
     return terms
 
@@ -147,7 +159,7 @@ class Measured:
         return Calls(
             self.shared("share calls"),
             sum(self.shared(f"{kind} calls") for kind in kinds),
-            self.shared("follow_first calls"),
+            self.shared("deal_out calls"),
             sum(self.shared(f"{kind} bytes") for kind in kinds),
         )
 
@@ -206,14 +218,15 @@ def print_check(measured):
     tiles = rank_tiles.Tiles(columns, rows, ranks)
     nodes, neighbours = tiles.sent()
     terms = step(machine, calls, measured.of("particles"), ranks, tiles.unevenness(), (columns, rows),
-                 nodes.max() * FIELDS * NUMBER, neighbours.max(), tiles.near_faces(columns, rows).max())  # fmt: skip
+                 nodes.max() * FIELDS * NUMBER, neighbours.max(), tiles.near_faces(columns, rows).max(),
+                 tiles.near_faces(columns, rows).sum())  # fmt: skip
     rows_of_table = [[name, f"{1e3 * value:.3f}"] for name, value in terms.items()]
     total, time = sum(terms.values()), measured.shared("seconds")
     rows_of_table.append(["sum", f"{1e3 * total:.3f}"])
     rows_of_table.append(["measured", f"{1e3 * time:.3f}"])
     rows_of_table.append(["predicted over measured", f"{total / time:.3f}"])
     table([f"{columns} x {rows} cells, {ranks} ranks", "ms"], rows_of_table)
-    waits = {kind: measured.shared(f"{kind} seconds") for kind in ("wait", "share", "follow_first", "add", "largest", "totals")}
+    waits = {kind: measured.shared(f"{kind} seconds") for kind in ("wait", "share", "deal_out", "add", "largest", "totals")}
     table(["in exchanges, fullest rank", "ms"], [[kind, f"{1e3 * seconds:.3f}"] for kind, seconds in waits.items()])
     one, two = measured.of("seconds"), measured.of("seconds", threads=2)
     print(f"updates a second, million: one thread {measured.of('particles') / one / 1e6:.2f}, two threads "
@@ -285,8 +298,8 @@ def main(steps, messages, picture=None):
     calls = measured.calls()
     machines = [measured.machine(1), measured.machine(2), cluster(measured)]
     print_machines(machines)
-    print(f"calls a step: share {calls.share:g}, totals {calls.totals:g} with {calls.totals_bytes:g} bytes, follow_first "
-          f"{calls.follow_first:g}\n")  # fmt: skip
+    print(f"calls a step: share {calls.share:g}, totals {calls.totals:g} with {calls.totals_bytes:g} bytes, deal_out "
+          f"{calls.deal_out:g}\n")  # fmt: skip
     print_check(measured)
     print_scaling(machines[2], calls)
     if picture:

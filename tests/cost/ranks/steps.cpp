@@ -4,6 +4,7 @@
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/counted_communicator.hpp"
+#include "tests/support/quiet_ground.hpp"
 
 #include <fmt/format.h>
 
@@ -46,17 +47,6 @@ double memory(const std::string& line) {
   return 0.0;
 }
 
-/// Nothing arrives from outside, which rank 0 tells the others as in a run.
-mpm_domain::FreeFieldSource quiet_ground(const Domain& domain) {
-  return [&domain](long, double, std::span<const Vector>, std::span<eq6::FreeField> field) {
-    std::ranges::fill(field, eq6::FreeField{});
-    constexpr std::size_t numbers_per_face = 5;
-    std::vector<double> told(numbers_per_face * field.size(), 0.0);
-    if (domain.share)
-      domain.share->ranks->follow_first(told);
-  };
-}
-
 enum class Faces { with, without };
 
 /// A box with a standing shear wave.
@@ -74,7 +64,7 @@ public:
     whole_ = static_cast<double>(domain_.particle_count());
     if (ranks != nullptr)
       share_out(domain_, *ranks);
-    stepper_.emplace(domain_, 0.0, quiet_ground(domain_));
+    stepper_.emplace(domain_, 0.0, test_support::quiet_ground());
   }
 
   void steps(int count) {

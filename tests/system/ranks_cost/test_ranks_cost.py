@@ -63,7 +63,12 @@ class Counts(unittest.TestCase):
                 self.assertEqual(rank_tiles.Tiles(columns, rows, ranks).near_faces(columns, rows).tolist(), counted["near faces"])
                 self.assertEqual([rank_tiles.boundary_nodes(columns, rows)] * ranks, counted["boundary nodes"])
                 self.assertEqual([ranks_model.share_bytes(columns, rows)] * ranks, counted["share bytes"])
-                self.assertEqual([ranks_model.follow_first_bytes(columns, rows)] * ranks, counted["follow_first bytes"])
+
+    def test_the_first_rank_gives_each_the_free_field_of_its_near_faces(self):
+        for (columns, rows, ranks), counted in self.counted.items():
+            with self.subTest((columns, rows, ranks)):
+                near = rank_tiles.Tiles(columns, rows, ranks).near_faces(columns, rows)
+                self.assertEqual([ranks_model.field_bytes(near.sum())] + [0] * (ranks - 1), counted["deal_out bytes"])
 
     def test_all_ranks_exchange_alike_and_no_more_on_a_larger_mesh(self):
         calls = {name: {value for counted in self.counted.values() for value in counted[name]} for name in self.counted[BOXES[0]] if name.endswith(" calls")}
@@ -91,12 +96,13 @@ class Perimeter(unittest.TestCase):
 
 
     def test_gives_the_near_faces_of_a_large_box(self):
-        """The fullest rank has those of a piece in a corner, within a quarter."""
+        """The fullest rank has those of a piece in a corner, within a quarter; all together have what the model passes."""
         for particles, ranks in ((4e7, 64), (4e7, 100), (4e7, 333)):
             with self.subTest((particles, ranks)):
                 columns, rows = ranks_model.box(particles)
                 near = rank_tiles.Tiles(columns, rows, ranks).near_faces(columns, rows)
                 self.assertAlmostEqual(1.0, near.max() / ranks_model.near_faces(particles, ranks), delta=0.25)
+                self.assertAlmostEqual(1.0, near.sum() / ranks_model.passed_faces(particles, ranks), delta=0.25)
 
 
 if __name__ == "__main__":

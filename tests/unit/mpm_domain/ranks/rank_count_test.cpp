@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -127,6 +128,12 @@ const Model models[] = {
      20},
     // Over several tiles: particles change ranks, tiles are dealt anew, the grid grows.
     {"Drifting", [](Spec& spec) { yield(spec); }, 120, {120.0, 40.0}},
+    {"DriftingSprings",
+     [](Spec& spec) {
+       add_springs(spec, 1.0, 0.5, {50.0, 0.0}, true), yield(spec);
+     },
+     80,
+     {120.0, 40.0}},
     {"Building", test_support::add_building, 20},
     {"BuildingAtSide", test_support::add_building_at_side, 20},
     {"Neighbours", test_support::add_neighbours, 15},
@@ -229,7 +236,18 @@ private:
   void start(mpm_domain::Communicator* ranks) {
     if (ranks != nullptr)
       share_out(domain_, *ranks);
-    stepper_.emplace(domain_, 0.9, test_support::plane_wave_source(domain_, wave_, true, model_.drift));
+    stepper_.emplace(domain_, 0.9,
+                     of_first(test_support::plane_wave_source(domain_, wave_, true, model_.drift), ranks));
+  }
+  /// The free field, of which other ranks know nothing but what the first gives them.
+  static mpm_domain::FreeFieldSource of_first(const mpm_domain::FreeFieldSource& source,
+                                              const mpm_domain::Communicator* ranks) {
+    if (ranks == nullptr || ranks->rank() == 0)
+      return source;
+    return [](long, double, std::span<const Vector>, std::span<eq6::FreeField> field) {
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+      std::ranges::fill(field, eq6::FreeField{{unknown, unknown}, {unknown, unknown, unknown}});
+    };
   }
 
   static Spec spec_of(const Model& model, int threads) {

@@ -25,6 +25,8 @@ public:
   void follow_sort(const Ground& ground, std::span<const BoundaryFace> faces, const SoilAtFaces& soil);
 
   std::span<const std::size_t> all() const { return near_; } ///< rising
+  /// Whether ranks work out some faces each, and not all.
+  bool lacks_some() const { return lacks_some_; }
   /// The faces that count here come in groups. The particles of a group lie in one tile, and so on one rank.
   std::size_t group_count() const { return groups_.empty() ? 0 : groups_.size() - 1; }
   std::span<const std::size_t> group(std::size_t number) const {

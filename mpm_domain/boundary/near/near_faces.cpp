@@ -1,4 +1,4 @@
-#include "mpm_domain/boundary/near_faces.hpp"
+#include "mpm_domain/boundary/near/near_faces.hpp"
 
 #include "mpm_domain/ground.hpp"
 
