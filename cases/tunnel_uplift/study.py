@@ -65,12 +65,13 @@ ALONE = {FREE_FIELD: FREE_FIELD.replace(" }", ", spring = false }")}
 ELEMENTS = {FREE_FIELD: FREE_FIELD.replace('"mpm"', '"fe"')}
 OBLIQUE = {"angle_deg = 0.0\n": "angle_deg = 15.0\n"}
 VARIANTS = {
+    "finest": ("cells of 0.25 m around the tunnel", {REFINED: TWICE_REFINED}),
     "main": ("as it is", {}),
     "coarse": ("coarse", coarse(SHORT + 4.0)),
     "alone": ("as it is, dashpots alone", ALONE),
     "coarse_alone": ("coarse, dashpots alone", coarse(SHORT + 4.0) | ALONE),
     "half": ("cells of 0.5 m around the tunnel", coarse(COMPARED + 1.05 * PERIOD, refined=REFINED)),
-    "quarter": ("cells of 0.25 m around the tunnel", coarse(COMPARED + 1.05 * PERIOD, refined=TWICE_REFINED)),
+    "quarter": ("cells of 0.25 m around the tunnel, water of 0.22 GPa", coarse(COMPARED + 1.05 * PERIOD, refined=TWICE_REFINED)),
     "step": ("time step 0.5 of the critical", COARSE | {STEP: "fraction = 0.5 "}),
     "smooth": ("friction 0", COARSE | {"friction = 0.4": "friction = 0.0"}),
     "heavy": ("1900 kg/m³", COARSE | {"density = 300.0 ": "density = 1900.0 "}),

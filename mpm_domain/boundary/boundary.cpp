@@ -70,9 +70,9 @@ void Boundary::follow_sort(const Ground& ground) {
   if (ground.mesh)
     find_levels(ground, faces_);
   soil_.follow_sort(ground, faces_);
-  near_.follow_sort(ground, faces_, soil_);
+  near_.follow_sort(ground, faces_, soil_, supports_.are_by_face());
   motion_.forget_weights();
-  passed_.follow_sort(ground, faces_, near_.all(), near_.lacks_some() && supports_.are_by_face());
+  passed_.follow_sort(ground, faces_, near_.all(), near_.are_enough());
   if (ground.share)
     catch_up(ground);
 }

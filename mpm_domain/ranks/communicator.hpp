@@ -45,6 +45,11 @@ public:
   /// @param counts   length of each part, likewise
   virtual void deal_out(std::span<const double> numbers, std::span<const int> counts,
                         std::span<double> part) = 0;
+  /// Rank 0 takes the parts of ranks 0, 1, ...
+  /// @param counts   length of each part, on rank 0 alone
+  /// @param numbers  takes them there
+  virtual void collect(std::span<const double> part, std::span<const int> counts,
+                       std::span<double> numbers) = 0;
   /// Gives every rank its list, and returns those that the ranks gave to this one.
   virtual std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) = 0;
 

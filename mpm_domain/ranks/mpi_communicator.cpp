@@ -152,6 +152,16 @@ public:
     wait();
   }
 
+  void collect(std::span<const double> part, std::span<const int> counts,
+               std::span<double> numbers) override {
+    length(numbers.size());
+    std::vector<int> begins(counts.size(), 0);
+    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+    MPI_Igatherv(part.data(), length(part.size()), MPI_DOUBLE, numbers.data(), counts.data(), begins.data(),
+                 MPI_DOUBLE, 0, MPI_COMM_WORLD, &requests_.emplace_back());
+    wait();
+  }
+
   std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) override {
     const auto ranks = static_cast<std::size_t>(size_);
     std::vector<std::uint64_t> sizes(ranks);

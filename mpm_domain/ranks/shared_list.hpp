@@ -73,4 +73,28 @@ void exchange_all(Communicator& ranks, std::vector<double>& numbers, const Lists
                         });
 }
 
+/// The first rank takes what all others know of a list.
+/// @param numbers  room for it
+template <typename Rows>
+void give_to_first(Communicator& ranks, std::vector<double>& numbers, const Rows& rows) {
+  const auto me = static_cast<std::size_t>(ranks.rank());
+  std::vector<double> part;
+  for (const std::size_t entry : rows.list->known_to(me)) {
+    part.resize(part.size() + rows.width);
+    rows.read(entry, part.data() + part.size() - rows.width);
+  }
+  std::vector<int> lengths;
+  for (std::size_t rank = 0; me == 0 && rank < static_cast<std::size_t>(ranks.size()); ++rank)
+    lengths.push_back(static_cast<int>(rows.width * rows.list->known_to(rank).size()));
+  numbers.resize(static_cast<std::size_t>(std::accumulate(lengths.begin(), lengths.end(), 0)));
+  ranks.collect(part, lengths, numbers);
+  const double* next = numbers.data();
+  for (std::size_t rank = 0; rank < lengths.size(); ++rank)
+    for (const std::size_t entry : rows.list->known_to(rank)) {
+      if (rank != me)
+        rows.write(entry, next);
+      next += rows.width;
+    }
+}
+
 } // namespace tremolo::mpm_domain

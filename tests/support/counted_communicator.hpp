@@ -18,9 +18,9 @@ namespace tremolo::test_support {
 class CountedCommunicator : public mpm_domain::Communicator {
 public:
   /// What ranks do together, and wait(), which ends what send() and receive() have begun.
-  enum class Kind { wait, add, largest, totals, share, follow_first, deal_out, swap };
-  static constexpr std::array<std::string_view, 8> names = {"wait",  "add",          "largest",  "totals",
-                                                            "share", "follow_first", "deal_out", "swap"};
+  enum class Kind { wait, add, largest, totals, share, follow_first, deal_out, collect, swap };
+  static constexpr std::array<std::string_view, 9> names = {
+      "wait", "add", "largest", "totals", "share", "follow_first", "deal_out", "collect", "swap"};
 
   struct Count {
     std::uint64_t calls = 0;
@@ -63,6 +63,10 @@ public:
   void deal_out(std::span<const double> numbers, std::span<const int> counts,
                 std::span<double> part) override {
     timed(Kind::deal_out, numbers.size_bytes(), [&] { ranks_.deal_out(numbers, counts, part); });
+  }
+  void collect(std::span<const double> part, std::span<const int> counts,
+               std::span<double> numbers) override {
+    timed(Kind::collect, numbers.size_bytes(), [&] { ranks_.collect(part, counts, numbers); });
   }
   std::vector<std::vector<double>> swap(const std::vector<std::vector<double>>& lists) override {
     std::vector<std::vector<double>> received;

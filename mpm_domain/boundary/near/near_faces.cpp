@@ -42,7 +42,8 @@ bool is_near(const Ground& ground, const FacePosition& face) {
 } // namespace
 
 void NearFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> faces,
-                            const SoilAtFaces& soil) {
+                            const SoilAtFaces& soil, bool by_face) {
+  by_face_ = by_face;
   near_.resize(faces.size());
   std::iota(near_.begin(), near_.end(), std::size_t{0});
   own_ = near_;
@@ -75,15 +76,18 @@ void NearFaces::find_groups(const Ground& ground, std::span<const BoundaryFace> 
 bool NearFaces::share(const Ground& ground, std::span<Vector> velocities) {
   if (!lacks_some_)
     return false;
-  exchange_all(*ground.share->ranks, numbers_,
-               SharedRows{&owners_, 2,
-                          [velocities](std::size_t f, double* numbers) {
-                            numbers[0] = velocities[f].x;
-                            numbers[1] = velocities[f].y;
-                          },
-                          [velocities](std::size_t f, const double* numbers) {
-                            velocities[f] = {numbers[0], numbers[1]};
-                          }});
+  const SharedRows rows{&owners_, 2,
+                        [velocities](std::size_t f, double* numbers) {
+                          numbers[0] = velocities[f].x;
+                          numbers[1] = velocities[f].y;
+                        },
+                        [velocities](std::size_t f, const double* numbers) {
+                          velocities[f] = {numbers[0], numbers[1]};
+                        }};
+  if (are_enough())
+    give_to_first(*ground.share->ranks, numbers_, rows);
+  else
+    exchange_all(*ground.share->ranks, numbers_, rows);
   return true;
 }
 

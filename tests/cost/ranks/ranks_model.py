@@ -6,7 +6,8 @@
     H  halo          2 (alpha + (m - 1) o) + b/beta                   m neighbours, b bytes in the two scatters of a step
     B  boundary      n t_f + F t_e                                    n faces near the rank's tiles; all F, Eq. (6) alone
     A  share         k ((P - 1) o + alpha) + (P - 1)/P b_s/beta       k calls of all to all, b_s bytes, one message a pair
-    S  deal_out      (P - 1) o + alpha + b_f/beta                     the free field, to each rank that of its near faces
+    S  collect,      2 ((P - 1) o + alpha) + b_f/beta                 velocities of faces to the first rank, and the free
+       deal_out                                                       field from it to each that of its near faces
     R  totals        q 2 ceil(log2 P) (alpha + b_q/beta)              q sums or extremes, up a tree and down
 
 alpha: latency, o: time of the processor for a message, beta: bandwidth. How often a step calls each comes from what
@@ -53,7 +54,7 @@ class Calls:
 
     share: float
     totals: float  # add, largest, and both together
-    deal_out: float
+    of_first: float  # collect and deal_out
     totals_bytes: float  # all calls together
 
 
@@ -77,8 +78,8 @@ def halo_bytes(particles, ranks):
 
 
 def share_bytes(columns, rows):
-    """Bytes that pass the soil at all faces, their velocities, and the sums at all nodes near them."""
-    return NUMBER * (12 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
+    """Bytes that pass the soil at all faces and the sums at all nodes near them."""
+    return NUMBER * (10 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
 
 
 def near_faces(particles, ranks):
@@ -99,6 +100,11 @@ def passed_faces(particles, ranks):
     side = math.sqrt(particles / ranks / (rank_tiles.PARTICLES_PER_CELL * rank_tiles.TILE[0] * rank_tiles.TILE[1]))
     pieces = columns / (rank_tiles.TILE[0] * side) + 2 * rows / (rank_tiles.TILE[1] * side)
     return rank_tiles.faces(columns, rows) + pieces * 2 * (2 * rank_tiles.REACH)
+
+
+def velocity_bytes(columns, rows):
+    """Bytes that the first rank takes: the velocities of all faces."""
+    return NUMBER * 2 * rank_tiles.faces(columns, rows)
 
 
 def field_bytes(near_faces_of_all):
@@ -128,7 +134,7 @@ def step(machine, calls, particles, ranks, uneven=UNEVEN, cells=None, halo=None,
     if ranks > 1:
         terms["halo"] = SCATTERS * (alpha + (neighbours - 1) * o) + halo / beta
         terms["share"] = calls.share * ((ranks - 1) * o + alpha) + (ranks - 1) / ranks * share_bytes(columns, rows) / beta
-        terms["free field"] = calls.deal_out * ((ranks - 1) * o + alpha) + field_bytes(passed) / beta
+        terms["free field"] = calls.of_first * ((ranks - 1) * o + alpha) + (velocity_bytes(columns, rows) + field_bytes(passed)) / beta
         terms["totals"] = 2 * depth * (calls.totals * alpha + calls.totals_bytes / beta)
     return terms
 
@@ -159,7 +165,7 @@ class Measured:
         return Calls(
             self.shared("share calls"),
             sum(self.shared(f"{kind} calls") for kind in kinds),
-            self.shared("deal_out calls"),
+            self.shared("collect calls") + self.shared("deal_out calls"),
             sum(self.shared(f"{kind} bytes") for kind in kinds),
         )
 
@@ -226,7 +232,7 @@ def print_check(measured):
     rows_of_table.append(["measured", f"{1e3 * time:.3f}"])
     rows_of_table.append(["predicted over measured", f"{total / time:.3f}"])
     table([f"{columns} x {rows} cells, {ranks} ranks", "ms"], rows_of_table)
-    waits = {kind: measured.shared(f"{kind} seconds") for kind in ("wait", "share", "deal_out", "add", "largest", "totals")}
+    waits = {kind: measured.shared(f"{kind} seconds") for kind in ("wait", "share", "collect", "deal_out", "add", "largest", "totals")}
     table(["in exchanges, fullest rank", "ms"], [[kind, f"{1e3 * seconds:.3f}"] for kind, seconds in waits.items()])
     one, two = measured.of("seconds"), measured.of("seconds", threads=2)
     print(f"updates a second, million: one thread {measured.of('particles') / one / 1e6:.2f}, two threads "
@@ -298,8 +304,8 @@ def main(steps, messages, picture=None):
     calls = measured.calls()
     machines = [measured.machine(1), measured.machine(2), cluster(measured)]
     print_machines(machines)
-    print(f"calls a step: share {calls.share:g}, totals {calls.totals:g} with {calls.totals_bytes:g} bytes, deal_out "
-          f"{calls.deal_out:g}\n")  # fmt: skip
+    print(f"calls a step: share {calls.share:g}, totals {calls.totals:g} with {calls.totals_bytes:g} bytes, collect and deal_out "
+          f"{calls.of_first:g}\n")  # fmt: skip
     print_check(measured)
     print_scaling(machines[2], calls)
     if picture:

@@ -64,10 +64,11 @@ class Counts(unittest.TestCase):
                 self.assertEqual([rank_tiles.boundary_nodes(columns, rows)] * ranks, counted["boundary nodes"])
                 self.assertEqual([ranks_model.share_bytes(columns, rows)] * ranks, counted["share bytes"])
 
-    def test_the_first_rank_gives_each_the_free_field_of_its_near_faces(self):
+    def test_the_first_rank_takes_velocities_and_gives_each_the_free_field_of_its_near_faces(self):
         for (columns, rows, ranks), counted in self.counted.items():
             with self.subTest((columns, rows, ranks)):
                 near = rank_tiles.Tiles(columns, rows, ranks).near_faces(columns, rows)
+                self.assertEqual([ranks_model.velocity_bytes(columns, rows)] + [0] * (ranks - 1), counted["collect bytes"])
                 self.assertEqual([ranks_model.field_bytes(near.sum())] + [0] * (ranks - 1), counted["deal_out bytes"])
 
     def test_all_ranks_exchange_alike_and_no_more_on_a_larger_mesh(self):
