@@ -67,10 +67,15 @@ SavedNumbers Boundary::rest_state() {
 void Boundary::follow_sort(const Ground& ground) {
   supports_.follow_sort(ground);
   forces_.follow_sort(ground);
+  if (faces_.empty())
+    return;
   if (ground.mesh)
     find_levels(ground, faces_);
   soil_.follow_sort(ground, faces_);
   near_.follow_sort(ground, faces_, soil_, supports_.are_by_face());
+  // What structures change at any node of the boundary the first rank tells all.
+  if (near_.are_enough() && ground.share->structures.empty())
+    soil_.keep_near(ground, faces_, near_.all());
   motion_.forget_weights();
   passed_.follow_sort(ground, faces_, near_.all(), near_.are_enough());
   if (ground.share)

@@ -58,8 +58,8 @@ public:
   void follow_sort(const Ground& ground);
   /// The faces that this rank works out.
   const NearFaces& near_faces() const { return near_; }
-  /// The nodes that faces may touch until the next sort, if ranks share the domain: each rank receives their
-  /// sums.
+  /// The nodes that faces may touch until the next sort, if ranks share the domain: this rank receives their
+  /// sums. Where there are structures the list is the same on all ranks.
   std::span<const std::size_t> shared_nodes() const { return soil_.shared_nodes(); }
 
   /// The passes of a step. After a scatter: reads the soil at the faces.

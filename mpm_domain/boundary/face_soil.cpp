@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <numeric>
 
 namespace tremolo::mpm_domain {
 
@@ -25,26 +27,51 @@ std::vector<int> owners_of_faces(const Ground& ground, std::span<const BoundaryF
   return {owner.begin(), owner.end()};
 }
 
-/// The properties of the soil at faces that ranks exchange.
-auto shared_soil(const Ground& ground, std::span<const BoundaryFace> faces, const SharedList& list,
-                 std::span<FaceSoil> soil) {
-  return SharedRows{&list, 10,
-                    [&ground, faces, soil](std::size_t f, double* numbers) {
-                      const auto& [position, moved, syy, excess, length, displacement] = soil[f] =
-                          soil_at(faces[f], ground.sets[faces[f].set]);
-                      const auto& [centre, half] = position;
-                      std::ranges::copy(std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess,
-                                                   length, displacement.x, displacement.y},
-                                        numbers);
-                    },
-                    [soil](std::size_t f, const double* numbers) {
-                      soil[f] = {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}},
-                                 numbers[4],
-                                 numbers[5],
-                                 numbers[6],
-                                 numbers[7],
-                                 {numbers[8], numbers[9]}};
-                    }};
+constexpr std::size_t numbers_of_soil = 10;
+
+void put(const FaceSoil& soil, double* numbers) {
+  const auto& [position, moved, syy, excess, length, displacement] = soil;
+  const auto& [centre, half] = position;
+  std::ranges::copy(std::array{centre.x, centre.y, half.x, half.y, moved, syy, excess, length, displacement.x,
+                               displacement.y},
+                    numbers);
+}
+
+FaceSoil soil_of(const double* numbers) {
+  return {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}},
+          numbers[4],
+          numbers[5],
+          numbers[6],
+          numbers[7],
+          {numbers[8], numbers[9]}};
+}
+
+/// The soil at faces, exchanged by one of the ways that ranks have.
+/// @param list  SharedList or Trade
+template <template <typename, typename> class Rows, typename List>
+auto rows_of_soil(const List& list, std::span<FaceSoil> soil) {
+  return Rows{&list, numbers_of_soil, [soil](std::size_t f, double* numbers) { put(soil[f], numbers); },
+              [soil](std::size_t f, const double* numbers) { soil[f] = soil_of(numbers); }};
+}
+
+/// The sums of a scatter at nodes.
+/// @param node_of  (entry of the list) the node
+template <template <typename, typename> class Rows, typename List, typename NodeOf>
+auto rows_of_sums(const List& list, Grid& grid, const NodeOf& node_of) {
+  std::vector<NodeField*> fields;
+  for (const SumRange& range : scattered_sums(grid.traits))
+    for (std::size_t f = range.first; f < range.end; ++f)
+      fields.push_back(&(grid.*particle_sums[f]));
+  const std::size_t width = fields.size();
+  return Rows{&list, width,
+              [fields, node_of](std::size_t n, double* numbers) {
+                for (const NodeField* field : fields)
+                  *numbers++ = (*field)[node_of(n)];
+              },
+              [fields, node_of](std::size_t n, const double* numbers) {
+                for (NodeField* field : fields)
+                  (*field)[node_of(n)] = *numbers++;
+              }};
 }
 
 /// Nodes of a graded mesh that lines within a box may touch, and those that tied ones among them follow.
@@ -58,13 +85,13 @@ void add_nodes_of_mesh(const Ground& ground, const mesh::Rectangle& box, std::ve
   }
 }
 
-/// The nodes that faces may touch while particles move by the distance between two sorts.
+/// The nodes that some faces may touch while particles move by the distance between two sorts.
 std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const BoundaryFace> faces,
-                                    std::span<const FaceSoil> soil) {
+                                    std::span<const FaceSoil> soil, std::span<const std::size_t> which) {
   const Lattice& lattice = ground.grid;
   const auto cell = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
   std::vector<std::size_t> nodes;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
+  for (const std::size_t f : which) {
     const mesh::Rectangle line = line_of(faces[f], soil[f].position);
     const bool own_boxes = ground.sets[faces[f].set].has_own_boxes();
     const double way = (own_boxes ? 2.0 : 1.0) * ground.sort_distance() // as in reach_of()
@@ -83,22 +110,48 @@ std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const Bounda
   return nodes;
 }
 
+int owner_of_node(const Ground& ground, std::size_t node) {
+  const NodePosition position = ground.position_of(node);
+  return ground.share->owner(ground.tiles.tile_of(position.level, position.column, position.row));
+}
+
 } // namespace
 
 void SoilAtFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> faces) {
+  near_.reset();
   if (!ground.share || faces.empty())
     return;
   Communicator& ranks = *ground.share->ranks;
   faces_ = SharedList(owners_of_faces(ground, faces), ranks);
   soil_.resize(faces.size());
-  exchange_all(ranks, numbers_, shared_soil(ground, faces, faces_, soil_));
-  nodes_ = nodes_near(ground, faces, soil_);
+  read_own(ground, faces);
+  exchange_all(ranks, numbers_, rows_of_soil<SharedRows>(faces_, soil_));
+  std::vector<std::size_t> all(faces.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  nodes_ = nodes_near(ground, faces, soil_, all);
   std::vector<int> owner;
-  for (const std::size_t node : nodes_) {
-    const NodePosition position = ground.position_of(node);
-    owner.push_back(ground.share->owner(ground.tiles.tile_of(position.level, position.column, position.row)));
-  }
+  for (const std::size_t node : nodes_)
+    owner.push_back(owner_of_node(ground, node));
   sums_ = SharedList(owner, ranks);
+}
+
+void SoilAtFaces::keep_near(const Ground& ground, std::span<const BoundaryFace> faces,
+                            std::span<const std::size_t> near) {
+  Communicator& ranks = *ground.share->ranks;
+  std::vector<int> owner(faces.size());
+  for (int rank = 0; rank < ranks.size(); ++rank)
+    for (const std::size_t f : faces_.known_to(static_cast<std::size_t>(rank)))
+      owner[f] = rank;
+  const auto of_others = [&](std::vector<std::size_t> entries, const auto& owner_of) {
+    std::erase_if(entries, [&](std::size_t entry) {
+      return owner_of(entry) == ranks.rank() || owner_of(entry) == SharedList::nobody;
+    });
+    return Trade(ranks, entries, owner_of);
+  };
+  nodes_ = nodes_near(ground, faces, soil_, near);
+  near_.emplace();
+  near_->faces = of_others({near.begin(), near.end()}, [&](std::size_t f) { return owner[f]; });
+  near_->sums = of_others(nodes_, [&](std::size_t node) { return owner_of_node(ground, node); });
 }
 
 void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces) {
@@ -115,22 +168,21 @@ void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces) {
       faces[f].length = soil_[f].length;
 }
 
+/// Reads the soil at the faces whose particles this rank has.
+void SoilAtFaces::read_own(const Ground& ground, std::span<const BoundaryFace> faces) {
+  for (const std::size_t f : faces_.known_to(static_cast<std::size_t>(ground.share->ranks->rank())))
+    soil_[f] = soil_at(faces[f], ground.sets[faces[f].set]);
+}
+
 void SoilAtFaces::share(Ground& ground, std::span<const BoundaryFace> faces) {
-  NodeFields& grid = ground.grid;
-  std::vector<NodeField*> fields;
-  for (const SumRange& range : scattered_sums(ground.grid.traits))
-    for (std::size_t f = range.first; f < range.end; ++f)
-      fields.push_back(&(grid.*particle_sums[f]));
-  const SharedRows sums{&sums_, fields.size(),
-                        [&](std::size_t n, double* numbers) {
-                          for (const NodeField* field : fields)
-                            *numbers++ = (*field)[nodes_[n]];
-                        },
-                        [&](std::size_t n, const double* numbers) {
-                          for (NodeField* field : fields)
-                            (*field)[nodes_[n]] = *numbers++;
-                        }};
-  exchange_all(*ground.share->ranks, numbers_, shared_soil(ground, faces, faces_, soil_), sums);
+  Communicator& ranks = *ground.share->ranks;
+  read_own(ground, faces);
+  if (near_)
+    trade(ranks, near_->messages, rows_of_soil<TradedRows>(near_->faces, soil_),
+          rows_of_sums<TradedRows>(near_->sums, ground.grid, std::identity{}));
+  else
+    exchange_all(ranks, numbers_, rows_of_soil<SharedRows>(faces_, soil_),
+                 rows_of_sums<SharedRows>(sums_, ground.grid, [this](std::size_t n) { return nodes_[n]; }));
 }
 
 } // namespace tremolo::mpm_domain

@@ -16,8 +16,11 @@ tiles that begins at a multiple of n is a square of tiles, with sqrt(n) sides ea
 1.3 to 1.5 in the mean in between, and up to 1.75 for the longest rim (see shape_factor).
 """
 
+import math
+
 import numpy as np
 
+NUMBER = 8  # bytes
 TILE = (32, 8)  # columns, rows of cells
 MARGIN = 6  # cells between box and edge of the lattice
 BEFORE = (1, 0)  # columns, rows between the first node that a particle belongs to and its cell
@@ -25,6 +28,8 @@ SHARED = 5  # columns, or rows, that two windows share
 WINDOW = (TILE[0] + SHARED, TILE[1] + SHARED)
 BESIDE = SHARED * WINDOW[1]  # nodes that go to a rank beside a tile
 REACH = 24  # nodes that a face may lie away from the tiles of a rank that works it out
+WAY = 0.9  # cells that a face may move until the next sort
+OF_SOIL, OF_NODE = 10, 5  # numbers that go with a face, and with a node near the boundary: mass, momentum and force
 ABOVE = WINDOW[0] * SHARED  # nodes that go to a rank above or below it
 PARTICLES_PER_CELL = 4
 NOBODY = -1
@@ -111,17 +116,50 @@ class Tiles:
                 counts[direction] += np.bincount(self.owner[rim], minlength=self.ranks)
         return counts
 
-    def near_faces(self, columns, rows):
-        """Faces, by rank, from which a force may come to a node in the rank's windows: a tile of the rank lies within REACH
-        nodes."""
-        along, up = (MARGIN + np.repeat(np.arange(cells), 2) for cells in (columns, rows))
-        sides = [(column, row) for column in (MARGIN, MARGIN + columns) for row in up]
-        counts = np.zeros(self.ranks)
-        for column, row in sides + [(column, MARGIN) for column in along]:
-            around = [slice(max(0, (at - REACH) // tile), (at + REACH) // tile + 1) for at, tile in ((row, TILE[1]), (column, TILE[0]))]
+    def _near(self, columns, rows):
+        """(face, ranks) for all faces: those that work it out, from which a force may come to a node in their windows: a
+        tile of theirs lies within REACH nodes. A face is (column, row, side), in nodes of its lower left end."""
+        along, up = (MARGIN + np.arange(2 * cells) / 2 for cells in (columns, rows))
+        sides = [(column, row, True) for column in (MARGIN, MARGIN + columns) for row in up]
+        for column, row, side in sides + [(column, MARGIN, False) for column in along]:
+            around = [
+                slice(max(0, (int(at) - REACH) // tile), (int(at) + REACH) // tile + 1) for at, tile in ((row, TILE[1]), (column, TILE[0]))
+            ]
             near = np.unique(self.owner[tuple(around)])
-            counts[near[near != NOBODY]] += 1
+            yield (column, row, side), near[near != NOBODY].tolist()
+
+    def near_faces(self, columns, rows):
+        """Faces that each rank works out."""
+        counts = np.zeros(self.ranks)
+        for _, near in self._near(columns, rows):
+            counts[near] += 1
         return counts
+
+    def _owner_of_face(self, face, columns):
+        """The rank that has its particle."""
+        column, row, side = face
+        cell = int(column) - (1 if side and column > MARGIN else 0)
+        return self.owner[(int(row) - BEFORE[1]) // TILE[1], (cell - BEFORE[0]) // TILE[0]]
+
+    def boundary(self, columns, rows):
+        """By rank: the nodes that its faces may touch, the bytes about faces and nodes that it sends to others, and to how
+        many."""
+        wanted = [set() for _ in range(self.ranks)]
+        numbers = np.zeros((self.ranks, self.ranks))  # from, to
+        for face, near in self._near(columns, rows):
+            column, row, side = face
+            ends = (column, row, column + (0 if side else 0.5), row + (0.5 if side else 0))
+            i, j = (range(math.floor(ends[k] - WAY), math.floor(ends[k + 2] + WAY) + 2) for k in (0, 1))
+            owner = self._owner_of_face(face, columns)
+            for rank in near:
+                wanted[rank].update((a, b) for a in i for b in j)
+                numbers[owner, rank] += OF_SOIL if rank != owner else 0
+        for rank, nodes in enumerate(wanted):
+            for a, b in nodes:
+                owner = self.owner[b // TILE[1], a // TILE[0]]
+                if owner not in (rank, NOBODY):
+                    numbers[owner, rank] += OF_NODE
+        return np.array([len(nodes) for nodes in wanted]), NUMBER * numbers.sum(axis=1), (numbers > 0).sum(axis=1)
 
     def sent(self):
         """Nodes that each rank sends in a scatter, field by field, and to how many ranks."""
@@ -144,12 +182,6 @@ class Tiles:
 def faces(columns, rows):
     """Boundary faces at both sides and the base, one a particle."""
     return 2 * (2 * rows + columns)
-
-
-def boundary_nodes(columns, rows):
-    """Nodes that faces may touch until the next sort, 0.9 cells away: three columns, or rows, and one more cell than the side
-    is long at each end."""
-    return 2 * 3 * (rows + 3) + 3 * (columns + 3) - 2 * 9
 
 
 def shape_factor(tiles, ranks):

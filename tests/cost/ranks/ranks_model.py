@@ -1,18 +1,18 @@
 """The cost of a domain on P ranks, one a node, with N particles in a flat box (docs/ranks.md).
 
-    T(N, P) = C + H + B + A + S + R
+    T(N, P) = C + H + B + S + R
 
     C  compute       u N/(P r)                                        u: fullest rank over the mean
-    H  halo          2 (alpha + (m - 1) o) + b/beta                   m neighbours, b bytes in the two scatters of a step
+    H  halo          3 (alpha + (m - 1) o) + b/beta                   m neighbours, b bytes in the two scatters of a step;
+                                                                      the third message has what faces near the rank ask for
     B  boundary      n t_f + F t_e                                    n faces near the rank's tiles; all F, Eq. (6) alone
-    A  share         k ((P - 1) o + alpha) + (P - 1)/P b_s/beta       k calls of all to all, b_s bytes, one message a pair
     S  collect,      2 ((P - 1) o + alpha) + b_f/beta                 velocities of faces to the first rank, and the free
        deal_out                                                       field from it to each that of its near faces
     R  totals        q 2 ceil(log2 P) (alpha + b_q/beta)              q sums or extremes, up a tree and down
 
 alpha: latency, o: time of the processor for a message, beta: bandwidth. How often a step calls each comes from what
-cost_ranks has counted; b from the perimeter of a piece of tiles (rank_tiles.py); F, b_s and b_f grow with the length of
-the boundary, sqrt(N).
+cost_ranks has counted; b from the perimeter of a piece of tiles (rank_tiles.py); F and b_f grow with the length of the
+boundary, sqrt(N).
 
     usage: ranks_model.py STEPS.csv MESSAGES.csv [PNG]    files of `cost_ranks steps` and `cost_ranks messages` for 2 ranks
 
@@ -26,10 +26,10 @@ from dataclasses import dataclass, replace
 
 import rank_tiles
 
-SUMS = 5  # mass, momentum and force
-FIELDS = SUMS + 2  # then momentum again (musl)
-NUMBER = 8  # bytes
+FIELDS = 5 + 2  # mass, momentum and force; then momentum again (musl)
+NUMBER = rank_tiles.NUMBER
 SCATTERS = 2
+ROUNDS = SCATTERS + 1  # and one for the boundary
 MEAN_SHAPE = 1.4  # c of rank_tiles.py
 NEIGHBOURS = 6  # of a piece in the mean: 6.1 of 1,000 pieces of a box
 UNEVEN = 1.15  # beyond it tiles are dealt anew
@@ -52,7 +52,6 @@ class Machine:
 class Calls:
     """Collective exchanges of a step, and the bytes of each kind."""
 
-    share: float
     totals: float  # add, largest, and both together
     of_first: float  # collect and deal_out
     totals_bytes: float  # all calls together
@@ -75,11 +74,6 @@ def halo_bytes(particles, ranks):
         return 0.0
     tiles = particles / ranks / (rank_tiles.PARTICLES_PER_CELL * rank_tiles.TILE[0] * rank_tiles.TILE[1])
     return 2 * (rank_tiles.BESIDE + rank_tiles.ABOVE) * math.sqrt(tiles) * MEAN_SHAPE * FIELDS * NUMBER
-
-
-def share_bytes(columns, rows):
-    """Bytes that pass the soil at all faces and the sums at all nodes near them."""
-    return NUMBER * (10 * rank_tiles.faces(columns, rows) + SUMS * rank_tiles.boundary_nodes(columns, rows))
 
 
 def near_faces(particles, ranks):
@@ -127,13 +121,11 @@ def step(machine, calls, particles, ranks, uneven=UNEVEN, cells=None, halo=None,
         "compute": (uneven if ranks > 1 else 1.0) * particles / ranks / machine.rate,
         "halo": 0.0,
         "boundary": near * (machine.face - machine.eq6) + rank_tiles.faces(columns, rows) * machine.eq6,
-        "share": 0.0,
         "free field": 0.0,
         "totals": 0.0,
     }
     if ranks > 1:
-        terms["halo"] = SCATTERS * (alpha + (neighbours - 1) * o) + halo / beta
-        terms["share"] = calls.share * ((ranks - 1) * o + alpha) + (ranks - 1) / ranks * share_bytes(columns, rows) / beta
+        terms["halo"] = ROUNDS * (alpha + (neighbours - 1) * o) + halo / beta
         terms["free field"] = calls.of_first * ((ranks - 1) * o + alpha) + (velocity_bytes(columns, rows) + field_bytes(passed)) / beta
         terms["totals"] = 2 * depth * (calls.totals * alpha + calls.totals_bytes / beta)
     return terms
@@ -163,7 +155,6 @@ class Measured:
     def calls(self):
         kinds = ("add", "largest", "totals")
         return Calls(
-            self.shared("share calls"),
             sum(self.shared(f"{kind} calls") for kind in kinds),
             self.shared("collect calls") + self.shared("deal_out calls"),
             sum(self.shared(f"{kind} bytes") for kind in kinds),
@@ -223,8 +214,9 @@ def print_check(measured):
     columns, rows = measured.cells
     tiles = rank_tiles.Tiles(columns, rows, ranks)
     nodes, neighbours = tiles.sent()
+    of_boundary = tiles.boundary(columns, rows)[1]
     terms = step(machine, calls, measured.of("particles"), ranks, tiles.unevenness(), (columns, rows),
-                 nodes.max() * FIELDS * NUMBER, neighbours.max(), tiles.near_faces(columns, rows).max(),
+                 nodes.max() * FIELDS * NUMBER + of_boundary.max(), neighbours.max(), tiles.near_faces(columns, rows).max(),
                  tiles.near_faces(columns, rows).sum())  # fmt: skip
     rows_of_table = [[name, f"{1e3 * value:.3f}"] for name, value in terms.items()]
     total, time = sum(terms.values()), measured.shared("seconds")
@@ -232,7 +224,7 @@ def print_check(measured):
     rows_of_table.append(["measured", f"{1e3 * time:.3f}"])
     rows_of_table.append(["predicted over measured", f"{total / time:.3f}"])
     table([f"{columns} x {rows} cells, {ranks} ranks", "ms"], rows_of_table)
-    waits = {kind: measured.shared(f"{kind} seconds") for kind in ("wait", "share", "collect", "deal_out", "add", "largest", "totals")}
+    waits = {kind: measured.shared(f"{kind} seconds") for kind in ("wait", "collect", "deal_out", "add", "largest", "totals")}
     table(["in exchanges, fullest rank", "ms"], [[kind, f"{1e3 * seconds:.3f}"] for kind, seconds in waits.items()])
     one, two = measured.of("seconds"), measured.of("seconds", threads=2)
     print(f"updates a second, million: one thread {measured.of('particles') / one / 1e6:.2f}, two threads "
@@ -304,7 +296,7 @@ def main(steps, messages, picture=None):
     calls = measured.calls()
     machines = [measured.machine(1), measured.machine(2), cluster(measured)]
     print_machines(machines)
-    print(f"calls a step: share {calls.share:g}, totals {calls.totals:g} with {calls.totals_bytes:g} bytes, collect and deal_out "
+    print(f"calls a step: totals {calls.totals:g} with {calls.totals_bytes:g} bytes, collect and deal_out "
           f"{calls.of_first:g}\n")  # fmt: skip
     print_check(measured)
     print_scaling(machines[2], calls)

@@ -52,17 +52,18 @@ class Counts(unittest.TestCase):
     def test_messages_and_bytes_between_two_ranks(self):
         for box, counted in self.counted.items():
             with self.subTest(box):
-                nodes, neighbours = rank_tiles.Tiles(*box).sent()
-                self.assertEqual((nodes * ranks_model.FIELDS * ranks_model.NUMBER).tolist(), counted["message bytes"])
-                self.assertEqual((neighbours * ranks_model.SCATTERS).tolist(), counted["messages"])
+                tiles = rank_tiles.Tiles(*box)
+                nodes, neighbours = tiles.sent()
+                near, of_boundary, partners = tiles.boundary(*box[:2])
+                self.assertEqual((nodes * ranks_model.FIELDS * ranks_model.NUMBER + of_boundary).tolist(), counted["message bytes"])
+                self.assertEqual((neighbours * ranks_model.SCATTERS + partners).tolist(), counted["messages"])
+                self.assertEqual(near.tolist(), counted["boundary nodes"])
 
-    def test_what_all_share(self):
+    def test_faces(self):
         for (columns, rows, ranks), counted in self.counted.items():
             with self.subTest((columns, rows, ranks)):
                 self.assertEqual([rank_tiles.faces(columns, rows)] * ranks, counted["faces"])
                 self.assertEqual(rank_tiles.Tiles(columns, rows, ranks).near_faces(columns, rows).tolist(), counted["near faces"])
-                self.assertEqual([rank_tiles.boundary_nodes(columns, rows)] * ranks, counted["boundary nodes"])
-                self.assertEqual([ranks_model.share_bytes(columns, rows)] * ranks, counted["share bytes"])
 
     def test_the_first_rank_takes_velocities_and_gives_each_the_free_field_of_its_near_faces(self):
         for (columns, rows, ranks), counted in self.counted.items():
@@ -77,6 +78,8 @@ class Counts(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual(1, len(values), values)
         self.assertEqual({0.0}, calls["swap calls"], "no particle changes ranks in these steps")
+        for of_all in ("share calls", "follow_first calls"):
+            self.assertEqual({0.0}, calls[of_all], "nothing goes to all but totals")
 
 
 class Perimeter(unittest.TestCase):
