@@ -28,7 +28,8 @@ void read_window(const Ground& ground, std::size_t tile, WindowValues& values, c
   const NodeBlock part = overlap(window, {0, 0, lattice.nx, lattice.ny});
   for (int row = part.row; row < part.end_row(); ++row) {
     const std::size_t from = lattice.index(part.column, row);
-    double* const to = values.data() + (row - window.row) * window_columns + part.column - window.column;
+    double* const to =
+        &values[static_cast<std::size_t>((row - window.row) * window_columns + part.column - window.column)];
     by_fours(0, static_cast<std::size_t>(part.columns),
              [&](std::size_t i, auto group) { group.store(to + i, value_of(from + i, group)); });
   }
