@@ -14,7 +14,7 @@ namespace tremolo::mpm_domain {
 
 /// The state of the domain: the ground, its boundary and earthworks, the structures and linings in it, props
 /// and cuts of these, and where the energy goes. Where ranks share a domain, each knows the soil and the
-/// velocities at all faces of the boundary.
+/// velocities at the faces of the boundary that it works out; the first one has the velocities at all.
 struct Domain : Ground {
   /// Fills the regions with particles at rest and without stress.
   /// @throws std::invalid_argument for a spec that cannot be built

@@ -23,10 +23,10 @@
 
 namespace tremolo::mpm_domain {
 
-/// Gives every face the free field of a time (s) in which the domain's velocities there are v (m/s). Called
-/// once a step, where ranks share the domain on all of them, whose first one's counts; faces that are tied to
-/// the opposite side are left as they are. Behind the faces' own stand the fields that faces have beside them
-/// (Behind::has_own_field), in the order of these faces.
+/// Gives every face the free field of a time (s) in which the domain's velocities there are v (m/s). It is
+/// called once a step. Where ranks share the domain each calls its own, and all take what the first one's has
+/// given. Faces that are tied to the opposite side are left as they are. Behind the faces' own stand the
+/// fields that faces have beside them (Behind::has_own_field), in the order of these faces.
 using FreeFieldSource =
     std::function<void(long step, double time, std::span<const Vector> v, std::span<eq6::FreeField> field)>;
 

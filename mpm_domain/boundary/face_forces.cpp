@@ -197,7 +197,7 @@ ExactSums<BoundaryWork::count> FaceForces::work(Step& step, const FaceLoads& loa
   for (int clock = ticks.first_due(); clock < static_cast<int>(dashpots_.size()); ++clock) {
     const double half_kick = 0.5 * ticks.kick_of(clock);
     const ConsistentDashpots& dashpots = dashpots_[static_cast<std::size_t>(clock)];
-    sums[1] += sum_over_nodes(ground, [&](std::size_t n) {
+    sums[BoundaryWork::of_dashpots] += sum_over_nodes(ground, [&](std::size_t n) {
       return half_kick * dot(dashpots.force_on(n),
                              {grid.vx_before[n] + grid.vx_after[n], grid.vy_before[n] + grid.vy_after[n]});
     });

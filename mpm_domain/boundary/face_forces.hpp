@@ -25,6 +25,7 @@ namespace tremolo::mpm_domain {
 /// Work of the boundary in an update, J/m.
 struct BoundaryWork {
   static constexpr std::size_t count = 5;
+  static constexpr std::size_t of_dashpots = 1; ///< where `dashpots` stands among the numbers()
 
   double held = 0.0; ///< of the static part
   double dashpots = 0.0;

@@ -46,32 +46,31 @@ FaceSoil soil_of(const double* numbers) {
           {numbers[8], numbers[9]}};
 }
 
-/// The soil at faces, exchanged by one of the ways that ranks have.
-/// @param list  SharedList or Trade
-template <template <typename, typename> class Rows, typename List>
+/// The soil at the faces of a list.
+template <typename List>
 auto rows_of_soil(const List& list, std::span<FaceSoil> soil) {
-  return Rows{&list, numbers_of_soil, [soil](std::size_t f, double* numbers) { put(soil[f], numbers); },
-              [soil](std::size_t f, const double* numbers) { soil[f] = soil_of(numbers); }};
+  return ListedRows{&list, numbers_of_soil, [soil](std::size_t f, double* numbers) { put(soil[f], numbers); },
+                    [soil](std::size_t f, const double* numbers) { soil[f] = soil_of(numbers); }};
 }
 
 /// The sums of a scatter at nodes.
 /// @param node_of  (entry of the list) the node
-template <template <typename, typename> class Rows, typename List, typename NodeOf>
+template <typename List, typename NodeOf>
 auto rows_of_sums(const List& list, Grid& grid, const NodeOf& node_of) {
   std::vector<NodeField*> fields;
   for (const SumRange& range : scattered_sums(grid.traits))
     for (std::size_t f = range.first; f < range.end; ++f)
       fields.push_back(&(grid.*particle_sums[f]));
   const std::size_t width = fields.size();
-  return Rows{&list, width,
-              [fields, node_of](std::size_t n, double* numbers) {
-                for (const NodeField* field : fields)
-                  *numbers++ = (*field)[node_of(n)];
-              },
-              [fields, node_of](std::size_t n, const double* numbers) {
-                for (NodeField* field : fields)
-                  (*field)[node_of(n)] = *numbers++;
-              }};
+  return ListedRows{&list, width,
+                    [fields, node_of](std::size_t n, double* numbers) {
+                      for (const NodeField* field : fields)
+                        *numbers++ = (*field)[node_of(n)];
+                    },
+                    [fields, node_of](std::size_t n, const double* numbers) {
+                      for (NodeField* field : fields)
+                        (*field)[node_of(n)] = *numbers++;
+                    }};
 }
 
 /// Nodes of a graded mesh that lines within a box may touch, and those that tied ones among them follow.
@@ -125,7 +124,7 @@ void SoilAtFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace
   faces_ = SharedList(owners_of_faces(ground, faces), ranks);
   soil_.resize(faces.size());
   read_own(ground, faces);
-  exchange_all(ranks, numbers_, rows_of_soil<SharedRows>(faces_, soil_));
+  exchange_all(ranks, numbers_, rows_of_soil(faces_, soil_));
   std::vector<std::size_t> all(faces.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   nodes_ = nodes_near(ground, faces, soil_, all);
@@ -178,11 +177,11 @@ void SoilAtFaces::share(Ground& ground, std::span<const BoundaryFace> faces) {
   Communicator& ranks = *ground.share->ranks;
   read_own(ground, faces);
   if (near_)
-    trade(ranks, near_->messages, rows_of_soil<TradedRows>(near_->faces, soil_),
-          rows_of_sums<TradedRows>(near_->sums, ground.grid, std::identity{}));
+    trade(ranks, near_->messages, rows_of_soil(near_->faces, soil_),
+          rows_of_sums(near_->sums, ground.grid, std::identity{}));
   else
-    exchange_all(ranks, numbers_, rows_of_soil<SharedRows>(faces_, soil_),
-                 rows_of_sums<SharedRows>(sums_, ground.grid, [this](std::size_t n) { return nodes_[n]; }));
+    exchange_all(ranks, numbers_, rows_of_soil(faces_, soil_),
+                 rows_of_sums(sums_, ground.grid, [this](std::size_t n) { return nodes_[n]; }));
 }
 
 } // namespace tremolo::mpm_domain

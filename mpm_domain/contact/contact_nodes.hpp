@@ -156,7 +156,7 @@ public:
   const std::vector<ContactNode>& nodes() const { return nodes_; }
   /// Particles of the soil near the body.
   const std::vector<NearParticle>& near() const { return near_; }
-  /// Those of them that may come to lie in the body until the next sort.
+  /// The near particles that may come to lie in the body until the next sort.
   const std::vector<NearParticle>& may_enter() const { return may_enter_; }
 
 private:

@@ -49,7 +49,7 @@ Skirt::Skirt(const Ground& ground, std::span<const std::size_t> of_boundary) {
 void Skirt::take(Ground& ground, std::span<NodeField NodeFields::*const> fields) {
   NodeFields& grid = ground.grid;
   exchange_all(*ground.share->ranks, numbers_,
-               SharedRows{&list_, fields.size(),
+               ListedRows{&list_, fields.size(),
                           [&](std::size_t n, double* numbers) {
                             for (NodeField NodeFields::*const field : fields)
                               *numbers++ = (grid.*field)[nodes_[n]];

@@ -27,6 +27,13 @@ int length(std::size_t count) {
   return static_cast<int>(count);
 }
 
+/// Where the parts of a message begin.
+std::vector<int> begins_of(std::span<const int> counts) {
+  std::vector<int> begins(counts.size(), 0);
+  std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+  return begins;
+}
+
 /// Whether mpirun has started this process with others.
 bool has_others() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; // NOLINT(concurrency-mt-unsafe): no thread runs yet
@@ -130,8 +137,7 @@ public:
 
   void share(std::span<double> numbers, std::span<const int> counts) override {
     length(numbers.size());
-    std::vector<int> begins(counts.size(), 0);
-    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+    const std::vector<int> begins = begins_of(counts);
     MPI_Iallgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, numbers.data(), counts.data(), begins.data(),
                     MPI_DOUBLE, MPI_COMM_WORLD, &requests_.emplace_back());
     wait();
@@ -145,8 +151,7 @@ public:
   void deal_out(std::span<const double> numbers, std::span<const int> counts,
                 std::span<double> part) override {
     length(numbers.size());
-    std::vector<int> begins(counts.size(), 0);
-    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+    const std::vector<int> begins = begins_of(counts);
     MPI_Iscatterv(numbers.data(), counts.data(), begins.data(), MPI_DOUBLE, part.data(), length(part.size()),
                   MPI_DOUBLE, 0, MPI_COMM_WORLD, &requests_.emplace_back());
     wait();
@@ -155,8 +160,7 @@ public:
   void collect(std::span<const double> part, std::span<const int> counts,
                std::span<double> numbers) override {
     length(numbers.size());
-    std::vector<int> begins(counts.size(), 0);
-    std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+    const std::vector<int> begins = begins_of(counts);
     MPI_Igatherv(part.data(), length(part.size()), MPI_DOUBLE, numbers.data(), counts.data(), begins.data(),
                  MPI_DOUBLE, 0, MPI_COMM_WORLD, &requests_.emplace_back());
     wait();

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "mpm_domain/ranks/communicator.hpp"
+#include "mpm_domain/ranks/listed_rows.hpp"
 
 #include <cstddef>
 #include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -30,47 +30,25 @@ private:
   std::vector<std::vector<std::size_t>> of_rank_;
 };
 
-/// The numbers of a list that ranks exchange.
-template <typename Read, typename Write>
-struct SharedRows {
-  const SharedList* list;
-  std::size_t width; ///< numbers of an entry
-  Read read;         ///< (entry, numbers) gives those of an entry that this rank knows
-  Write write;       ///< (entry, numbers) takes those of another
-};
-template <typename Read, typename Write>
-SharedRows(const SharedList*, std::size_t, Read, Write) -> SharedRows<Read, Write>;
-
 /// All ranks pass what they know of some lists to each other, in one message.
 /// @param numbers  room for it
-template <typename... Lists>
-void exchange_all(Communicator& ranks, std::vector<double>& numbers, const Lists&... lists) {
+/// @param rows     ListedRows of SharedLists
+template <typename... Rows>
+void exchange_all(Communicator& ranks, std::vector<double>& numbers, const Rows&... rows) {
   const auto me = static_cast<std::size_t>(ranks.rank());
   std::vector<int> lengths;
   for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks.size()); ++rank)
-    lengths.push_back(static_cast<int>(((lists.width * lists.list->known_to(rank).size()) + ...)));
+    lengths.push_back(static_cast<int>(((rows.width * rows.list->known_to(rank).size()) + ...)));
   numbers.resize(static_cast<std::size_t>(std::accumulate(lengths.begin(), lengths.end(), 0)));
-  // act(list, entry, its numbers) for what a rank knows.
-  const auto walk = [&](std::size_t rank, double* next, const auto& act) {
-    const auto walk_list = [&](const auto& rows) {
-      for (const std::size_t entry : rows.list->known_to(rank)) {
-        act(rows, entry, next);
-        next += rows.width;
-      }
-    };
-    (walk_list(lists), ...);
-    return next;
-  };
-  const int before = std::accumulate(lengths.begin(), lengths.begin() + ranks.rank(), 0);
-  walk(me, numbers.data() + before,
-       [](const auto& rows, std::size_t entry, double* its) { rows.read(entry, its); });
+  double* own = numbers.data() + std::accumulate(lengths.begin(), lengths.begin() + ranks.rank(), 0);
+  ((own = read_entries(rows, rows.list->known_to(me), own)), ...);
   ranks.share(numbers, lengths);
-  double* next = numbers.data();
+  const double* next = numbers.data();
   for (std::size_t rank = 0; rank < lengths.size(); ++rank)
-    next = rank == me ? next + lengths[rank]
-                      : walk(rank, next, [](const auto& rows, std::size_t entry, const double* its) {
-                          rows.write(entry, its);
-                        });
+    if (rank == me)
+      next += lengths[rank];
+    else
+      ((next = write_entries(rows, rows.list->known_to(rank), next)), ...);
 }
 
 /// The first rank takes what all others know of a list.
@@ -78,11 +56,8 @@ void exchange_all(Communicator& ranks, std::vector<double>& numbers, const Lists
 template <typename Rows>
 void give_to_first(Communicator& ranks, std::vector<double>& numbers, const Rows& rows) {
   const auto me = static_cast<std::size_t>(ranks.rank());
-  std::vector<double> part;
-  for (const std::size_t entry : rows.list->known_to(me)) {
-    part.resize(part.size() + rows.width);
-    rows.read(entry, part.data() + part.size() - rows.width);
-  }
+  std::vector<double> part(rows.width * rows.list->known_to(me).size());
+  read_entries(rows, rows.list->known_to(me), part.data());
   std::vector<int> lengths;
   for (std::size_t rank = 0; me == 0 && rank < static_cast<std::size_t>(ranks.size()); ++rank)
     lengths.push_back(static_cast<int>(rows.width * rows.list->known_to(rank).size()));
@@ -90,11 +65,7 @@ void give_to_first(Communicator& ranks, std::vector<double>& numbers, const Rows
   ranks.collect(part, lengths, numbers);
   const double* next = numbers.data();
   for (std::size_t rank = 0; rank < lengths.size(); ++rank)
-    for (const std::size_t entry : rows.list->known_to(rank)) {
-      if (rank != me)
-        rows.write(entry, next);
-      next += rows.width;
-    }
+    next = write_entries(rows, rows.list->known_to(rank), next); // its own as it has them
 }
 
 } // namespace tremolo::mpm_domain

@@ -4,6 +4,7 @@
 // in one message between two ranks.
 
 #include "mpm_domain/ranks/communicator.hpp"
+#include "mpm_domain/ranks/listed_rows.hpp"
 
 #include <cstddef>
 #include <span>
@@ -40,17 +41,6 @@ private:
   std::vector<std::vector<std::size_t>> from_, to_; ///< by rank
 };
 
-/// The numbers of the entries of a trade.
-template <typename Read, typename Write>
-struct TradedRows {
-  const Trade* trade;
-  std::size_t width; ///< numbers of an entry
-  Read read;         ///< (entry, numbers) gives those of an entry that this rank owns
-  Write write;       ///< (entry, numbers) takes those of another
-};
-template <typename Read, typename Write>
-TradedRows(const Trade*, std::size_t, Read, Write) -> TradedRows<Read, Write>;
-
 /// Messages of a rank, by the rank that they go to or come from.
 struct TradeMessages {
   std::vector<std::vector<double>> out, in;
@@ -58,40 +48,29 @@ struct TradeMessages {
 
 /// All ranks give each other what the trades say.
 /// @param messages  room for them
+/// @param rows      ListedRows of Trades
 template <typename... Rows>
 void trade(Communicator& ranks, TradeMessages& messages, const Rows&... rows) {
   const auto count = static_cast<std::size_t>(ranks.size());
   messages.out.resize(count);
   messages.in.resize(count);
   for (std::size_t rank = 0; rank < count; ++rank) {
-    messages.in[rank].resize(((rows.width * rows.trade->from(rank).size()) + ...));
+    messages.in[rank].resize(((rows.width * rows.list->from(rank).size()) + ...));
     if (!messages.in[rank].empty())
       ranks.receive(static_cast<int>(rank), messages.in[rank]);
   }
   for (std::size_t rank = 0; rank < count; ++rank) {
     std::vector<double>& out = messages.out[rank];
-    out.resize(((rows.width * rows.trade->to(rank).size()) + ...));
+    out.resize(((rows.width * rows.list->to(rank).size()) + ...));
     double* next = out.data();
-    const auto pack = [&](const auto& of) {
-      for (const std::size_t entry : of.trade->to(rank)) {
-        of.read(entry, next);
-        next += of.width;
-      }
-    };
-    (pack(rows), ...);
+    ((next = read_entries(rows, rows.list->to(rank), next)), ...);
     if (!out.empty())
       ranks.send(static_cast<int>(rank), out);
   }
   ranks.wait();
   for (std::size_t rank = 0; rank < count; ++rank) {
     const double* next = messages.in[rank].data();
-    const auto unpack = [&](const auto& of) {
-      for (const std::size_t entry : of.trade->from(rank)) {
-        of.write(entry, next);
-        next += of.width;
-      }
-    };
-    (unpack(rows), ...);
+    ((next = write_entries(rows, rows.list->from(rank), next)), ...);
   }
 }
 

@@ -25,7 +25,7 @@ struct Arrays {
   std::size_t begin = 0;    ///< the first of the particles
 
   double* of(Sum field) const { return sums + static_cast<std::size_t>(field) * window_nodes; }
-  /// Of water that flows.
+  /// Where the sums of a field of flowing water stand.
   double* of_water(Sum field) const {
     return of(field) - static_cast<std::size_t>(Sum::water_mass) * window_nodes;
   }

@@ -76,7 +76,7 @@ void NearFaces::find_groups(const Ground& ground, std::span<const BoundaryFace> 
 bool NearFaces::share(const Ground& ground, std::span<Vector> velocities) {
   if (!lacks_some_)
     return false;
-  const SharedRows rows{&owners_, 2,
+  const ListedRows rows{&owners_, 2,
                         [velocities](std::size_t f, double* numbers) {
                           numbers[0] = velocities[f].x;
                           numbers[1] = velocities[f].y;
