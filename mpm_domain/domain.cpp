@@ -1,5 +1,6 @@
 #include "mpm_domain/domain.hpp"
 
+#include "mpm_domain/particles/fill/fill_together.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
@@ -47,21 +48,15 @@ void follow_structures(Domain& domain) {
   follow_first(*domain.share->ranks, boxes);
 }
 
-/// After particles have come to other ranks in the order of the last sort.
-void follow_change_of_owners(Domain& domain) {
-  std::vector<int> levels; // as of the last sort, since which particles have moved
-  for (const BoundaryFace& face : domain.boundary.faces())
-    levels.push_back(face.level);
-  domain.boundary.follow_sort(domain);
-  for (std::size_t f = 0; f < levels.size(); ++f)
-    domain.boundary.faces()[f].level = levels[f];
-  find_reach(domain);
-}
-
 } // namespace
 
-Domain::Domain(const Spec& specification)
-    : Ground(specification), loads(*this), earthworks(*this), contact(spec), linings(*this),
+bool may_fill_together(const Spec& spec) {
+  return can_be_filled_in_parts(spec) && spec.props.empty() && spec.loads.empty() && spec.sections.empty() &&
+         spec.earthworks.empty();
+}
+
+Domain::Domain(const Spec& specification, Communicator* ranks)
+    : Ground(specification, ranks), loads(*this), earthworks(*this), contact(spec), linings(*this),
       props(*this, contact), sections(*this) {
   contact.take_bodies(*this);
   boundary.match(*this);
@@ -96,7 +91,7 @@ void share_out(Domain& domain, Communicator& ranks) {
   std::vector<mesh::Rectangle> boxes = boxes_of_structures(domain);
   follow_first(ranks, boxes); // others may have restored theirs, which rounds
   keep_own_particles(domain, ranks, std::move(boxes));
-  follow_change_of_owners(domain);
+  follow_faces(domain);
 }
 
 void make_whole(Domain& domain) {
@@ -112,7 +107,17 @@ void make_whole(Domain& domain) {
     domain.linings.restore(structures);
     domain.props.restore(structures);
   }
-  follow_change_of_owners(domain);
+  follow_faces(domain);
+}
+
+void follow_faces(Domain& domain) {
+  std::vector<int> levels; // as of the last sort, since which particles have moved
+  for (const BoundaryFace& face : domain.boundary.faces())
+    levels.push_back(face.level);
+  domain.boundary.follow_sort(domain);
+  for (std::size_t f = 0; f < levels.size(); ++f)
+    domain.boundary.faces()[f].level = levels[f];
+  find_reach(domain);
 }
 
 } // namespace tremolo::mpm_domain

@@ -17,8 +17,11 @@ namespace tremolo::mpm_domain {
 /// velocities at the faces of the boundary that it works out; the first one has the velocities at all.
 struct Domain : Ground {
   /// Fills the regions with particles at rest and without stress.
+  /// @param ranks  those that fill and share it, a spec that they may (may_fill_together()); it outlives
+  /// this.
+  ///               Null: the domain is whole
   /// @throws std::invalid_argument for a spec that cannot be built
-  explicit Domain(const Spec& specification);
+  explicit Domain(const Spec& specification, Communicator* ranks = nullptr);
   ~Domain(); // in domain.cpp: it takes down some hundred fields
 
   Boundary boundary;
@@ -30,6 +33,11 @@ struct Domain : Ground {
   Sections sections;
   EnergyLedger energy;
 };
+
+/// Whether ranks may fill a spec together, none of them with all of it: nothing in it looks for particles
+/// that lie on other ranks. With structures, linings, props, loads on the surface, sections and earthworks
+/// each builds the whole domain, which is shared out then.
+bool may_fill_together(const Spec& spec);
 
 /// Orders all particles by tile and cell, lets boundary and structures follow, and finds what particles may
 /// touch; the grid's fields become zero.
@@ -48,5 +56,8 @@ void share_out(Domain& domain, Communicator& ranks);
 
 /// Gives every rank the whole domain, structures as the first one has them.
 void make_whole(Domain& domain);
+
+/// Where ranks share the domain: they learn of other faces, before the next sort.
+void follow_faces(Domain& domain);
 
 } // namespace tremolo::mpm_domain

@@ -3,14 +3,16 @@
 #include "mesh/cell_size.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
 #include "mpm_domain/head/seepage_of_ground.hpp"
-#include "mpm_domain/particles/fill.hpp"
-#include "mpm_domain/particles/fill_bodies.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
+#include "mpm_domain/particles/fill/fill_bodies.hpp"
+#include "mpm_domain/particles/fill/fill_together.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/spec/conflicts.hpp"
 #include "mpm_domain/spec/limits.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
 
 #include <fmt/format.h>
@@ -307,12 +309,26 @@ void weigh_across(Ground& ground, int slowest_clock) {
   });
 }
 
-Ground::Ground(const Spec& specification)
+namespace {
+
+/// Whether something is so on any rank.
+bool is_anywhere(const Ground& ground, bool is_here) {
+  double number = is_here ? 1.0 : 0.0;
+  take_largest(ground, {&number, 1});
+  return number > 0.0;
+}
+
+} // namespace
+
+Ground::Ground(const Spec& specification, Communicator* ranks)
     : spec(checked(specification)), head(head_of(spec)), grid(make_grid(spec)), workers(spec.threads) {
   check_holes(spec, head);
   rebuild_mesh(*this);
-  sets = fill(spec, head, mesh ? &mesh->tree() : nullptr);
+  const mesh::Quadtree* const tree = mesh ? &mesh->tree() : nullptr;
+  sets = ranks != nullptr ? fill_together(spec, head, tree, *ranks) : fill(spec, head, tree);
   soil_sets = sets.size();
+  if (ranks != nullptr)
+    share.emplace(RankShare{.ranks = ranks, .deal = {}});
   for (Particles& set : fill_bodies(spec, head, soil_lattice_count() - 1)) {
     bodies.resize(*set.body + 1);
     sets.push_back(std::move(set));
@@ -322,6 +338,8 @@ Ground::Ground(const Spec& specification)
     grid.traits.wet |= set.water && set.size() > 0;
     grid.traits.flowing |= set.traits.flowing && set.size() > 0;
   }
+  grid.traits.wet = is_anywhere(*this, grid.traits.wet);
+  grid.traits.flowing = is_anywhere(*this, grid.traits.flowing);
   if (head)
     take_head(*this, *head);
   waiting_strains.resize(sets.size());
@@ -432,8 +450,9 @@ void take_head(Ground& ground, Head head) {
   for (Particles& set : ground.sets)
     if (set.water)
       take_head(set, *ground.head);
-  ground.grid.traits.seeping = std::ranges::any_of(
-      ground.sets, [](const Particles& set) { return set.traits.seeping && set.size() > 0; });
+  ground.grid.traits.seeping = is_anywhere(ground, std::ranges::any_of(ground.sets, [](const Particles& set) {
+                                             return set.traits.seeping && set.size() > 0;
+                                           }));
   resize_fields(ground.grid, ground.grid.size());
 }
 

@@ -76,12 +76,16 @@ struct NodePosition {
 /// take a Ground. What happens to it in a step stands in the passes (scatter, grid_update, gather, ...),
 /// which the Stepper strings together.
 ///
-/// Ground is built whole. Where ranks share it (particles/share_out.hpp), each keeps the particles of its own
-/// tiles, and takes sums for all nodes in the windows of these.
+/// Where ranks share ground (particles/share_out.hpp), each has the particles of its own tiles, and takes
+/// sums for all nodes in the windows of these. They fill it together, or each is built whole and shared out
+/// then.
 struct Ground {
   /// Fills the regions with particles at rest and without stress.
+  /// @param ranks  those that fill it together, each its part, all with the same spec, which
+  ///               can_be_filled_in_parts(); the first sort gives particles to the ranks of their tiles. It
+  ///               outlives this. Null: all is filled here
   /// @throws std::invalid_argument for a spec that cannot be built
-  explicit Ground(const Spec& specification);
+  explicit Ground(const Spec& specification, Communicator* ranks = nullptr);
   ~Ground();
 
   Spec spec;

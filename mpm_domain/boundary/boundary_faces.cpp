@@ -5,6 +5,7 @@
 #include "mpm_domain/particles/grid_growth.hpp"
 #include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
+#include "mpm_domain/ranks/lists_of_all.hpp"
 
 #include <algorithm>
 #include <array>
@@ -124,7 +125,38 @@ mesh::Rectangle line_of(const BoundaryFace& face, const FacePosition& position) 
   return line;
 }
 
-std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec) {
+namespace {
+
+/// What makes a face, in numbers.
+std::vector<double> numbers_of(std::span<const BoundaryFace> faces) {
+  std::vector<double> numbers;
+  for (const BoundaryFace& face : faces)
+    numbers.insert(numbers.end(), {static_cast<double>(face.side), static_cast<double>(face.set),
+                                   static_cast<double>(face.id), face.position.x, face.position.y,
+                                   face.start_x, face.length, face.ground.normal.x, face.ground.normal.y,
+                                   face.ground.impedance_p, face.ground.impedance_s, face.density});
+  return numbers;
+}
+
+std::vector<BoundaryFace> faces_of(const std::vector<double>& numbers) {
+  std::vector<BoundaryFace> faces;
+  for (auto next = numbers.begin(); next != numbers.end();) {
+    BoundaryFace& face = faces.emplace_back();
+    const auto take = [&next] { return *next++; };
+    face.side = static_cast<Side>(static_cast<int>(take()));
+    face.set = static_cast<std::size_t>(take());
+    face.id = static_cast<std::uint32_t>(take());
+    for (double* const number :
+         {&face.position.x, &face.position.y, &face.start_x, &face.length, &face.ground.normal.x,
+          &face.ground.normal.y, &face.ground.impedance_p, &face.ground.impedance_s, &face.density})
+      *number = take();
+  }
+  return faces;
+}
+
+} // namespace
+
+std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec, Communicator* ranks) {
   std::vector<BoundaryFace> faces;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const double size = 2.0 * sets[s].half_size;
@@ -138,6 +170,8 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
         faces.push_back(make_face(Side::base, {0.0, -1.0}, spec, sets[s], s, k, size));
     }
   }
+  if (ranks != nullptr)
+    faces = faces_of(lists_of_all(*ranks, numbers_of(faces)));
   std::sort(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
     return std::tuple(a.side, a.position.y, a.position.x) < std::tuple(b.side, b.position.y, b.position.x);
   });

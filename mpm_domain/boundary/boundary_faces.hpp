@@ -18,6 +18,7 @@
 
 namespace tremolo::mpm_domain {
 
+class Communicator;
 struct Ground;
 
 /// "left side", "right side", "base"
@@ -74,7 +75,10 @@ inline Vector dashpot_diagonal(const BoundaryFace& face) {
 /// The faces of the model's left, right and lower edge, in this order, each from low to high coordinate.
 /// Their impedances are those of the soil in its present stress, at the base those of the ground below, where
 /// the spec gives it.
-std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec);
+/// @param ranks  each of which has some of the particles, and gets the faces of all; null: there is one
+/// process
+std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec,
+                                     Communicator* ranks = nullptr);
 
 /// The level of a face whose way until the next sort keeps it on one lattice; otherwise unknown.
 int level_of(const Ground& ground, const BoundaryFace& face);

@@ -38,7 +38,7 @@ void ConsistentDashpots::fit(std::size_t grid_size) {
     return;
   for (Component* c : {&x_, &y_})
     for (NodeField* field : {&c->a, &c->g, &c->per_inertia})
-      field->assign(grid_size, 0.0);
+      set_to_zeros(*field, grid_size);
 }
 
 void ConsistentDashpots::correct(Ground& ground, std::span<const BoundaryFace> faces,

@@ -62,7 +62,7 @@ void FaceForces::follow_sort(const Ground& ground) {
   const std::size_t nodes = ground.grid.size();
   if (nodes_.restart(nodes))
     for (NodeField* field : {&on_nodes_x_, &on_nodes_y_})
-      field->assign(nodes, 0.0);
+      set_to_zeros(*field, nodes);
   nodes_in_rows_ = not_found; // tiles may have changed hands
   dashpots_.resize(static_cast<std::size_t>(ground.clocks.count()), ConsistentDashpots(nodes_));
   for (ConsistentDashpots& dashpots : dashpots_)

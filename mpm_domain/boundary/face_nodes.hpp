@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/fields/zero_pages.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -18,7 +19,7 @@ public:
     if (known_.size() == grid_size)
       return false;
     nodes_.clear();
-    known_.assign(grid_size, 0);
+    set_to_zeros(known_, grid_size);
     return true;
   }
 
@@ -40,7 +41,7 @@ public:
 
 private:
   std::vector<std::size_t> nodes_;
-  std::vector<std::uint8_t> known_; ///< by node: it is one of them
+  ZeroPages<std::uint8_t> known_; ///< by node: it is one of them
 };
 
 } // namespace tremolo::mpm_domain

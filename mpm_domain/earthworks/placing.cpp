@@ -2,7 +2,8 @@
 
 #include "mesh/polygon.hpp"
 #include "mpm_domain/particles/change_of_set.hpp"
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,8 @@
 // Quantities at the nodes of the grid, one array each. A pass names the group of fields that it works on;
 // clearing, folding of tied nodes and resizing run over a group and never over a list of their own.
 
+#include "mpm_domain/fields/zero_pages.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -12,7 +14,7 @@
 namespace tremolo::mpm_domain {
 
 /// One double a node, row after row, lattice after lattice.
-using NodeField = std::vector<double>;
+using NodeField = ZeroPages<double>;
 
 /// The way in which the values of a group are computed.
 enum class NodeGroup {

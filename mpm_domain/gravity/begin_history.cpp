@@ -1,9 +1,12 @@
 #include "mpm_domain/gravity/begin_history.hpp"
 
+#include "mpm_domain/particles/bounds.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/tiles/cell_means.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace tremolo::mpm_domain {
 
@@ -28,32 +31,77 @@ void keep_vertical_stress(Domain& domain) {
   });
 }
 
-void add_cut(std::vector<CutStress>& cut, const std::string& soil, Vector at) {
-  auto of = std::ranges::find(cut, soil, &CutStress::soil);
-  if (of == cut.end())
-    of = cut.insert(of, {soil, 0, at, at});
-  ++of->particles;
-  of->low = {std::min(of->low.x, at.x), std::min(of->low.y, at.y)};
-  of->high = {std::max(of->high.x, at.x), std::max(of->high.y, at.y)};
+/// Particles of a set whose stress was cut, and the corners of the box around them.
+struct CutOfSet {
+  std::int64_t particles = 0;
+  double x_min = around_nothing.x_min, y_min = around_nothing.y_min;
+  double x_max = around_nothing.x_max, y_max = around_nothing.y_max;
+
+  void add(double x, double y) {
+    ++particles;
+    x_min = std::min(x_min, x);
+    y_min = std::min(y_min, y);
+    x_max = std::max(x_max, x);
+    y_max = std::max(y_max, y);
+  }
+};
+
+void take_cut_of_all(Communicator& ranks, std::vector<CutOfSet>& cut) {
+  std::vector<std::int64_t> particles;
+  std::vector<double> corners;
+  for (const CutOfSet& of : cut) {
+    particles.push_back(of.particles);
+    corners.insert(corners.end(), {-of.x_min, -of.y_min, of.x_max, of.y_max});
+  }
+  ranks.add_and_find_largest(particles, corners);
+  for (std::size_t s = 0; s < cut.size(); ++s)
+    cut[s] = {particles[s], -corners[4 * s], -corners[4 * s + 1], corners[4 * s + 2], corners[4 * s + 3]};
+}
+
+/// The memory of the laws of a set begins.
+CutOfSet begin_history(Particles& set) {
+  CutOfSet cut;
+  const std::vector<double> before[] = {set.sxx, set.syy, set.sxy};
+  materials::initialise(set.law, set.points(0, set.size()));
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const double change = std::abs(set.sxx[k] - before[0][k]) + std::abs(set.syy[k] - before[1][k]) +
+                          std::abs(set.sxy[k] - before[2][k]);
+    if (change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])))
+      cut.add(set.x[k], set.y[k]);
+  }
+  return cut;
+}
+
+/// By soil, in the order of the sets.
+std::vector<CutStress> by_soil(const std::vector<Particles>& sets, const std::vector<CutOfSet>& cut) {
+  std::vector<CutStress> soils;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const auto& [particles, x_min, y_min, x_max, y_max] = cut[s];
+    if (particles == 0)
+      continue;
+    auto of = std::ranges::find(soils, sets[s].soil, &CutStress::soil);
+    if (of == soils.end())
+      of = soils.insert(of, {sets[s].soil, 0, {x_min, y_min}, {x_max, y_max}});
+    of->particles += static_cast<std::size_t>(particles);
+    of->low = {std::min(of->low.x, x_min), std::min(of->low.y, y_min)};
+    of->high = {std::max(of->high.x, x_max), std::max(of->high.y, y_max)};
+  }
+  return soils;
 }
 
 } // namespace
 
 std::vector<CutStress> begin_history(Domain& domain) {
-  std::vector<CutStress> cut;
-  for (Particles& set : domain.sets) {
-    const std::vector<double> before[] = {set.sxx, set.syy, set.sxy};
-    materials::initialise(set.law, set.points(0, set.size()));
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      const double change = std::abs(set.sxx[k] - before[0][k]) + std::abs(set.syy[k] - before[1][k]) +
-                            std::abs(set.sxy[k] - before[2][k]);
-      if (change > 1e-3 * (std::abs(before[0][k]) + std::abs(before[1][k])))
-        add_cut(cut, set.soil, {set.x[k], set.y[k]});
-    }
-  }
+  std::vector<CutOfSet> cut;
+  for (Particles& set : domain.sets)
+    cut.push_back(begin_history(set));
+  if (domain.share)
+    take_cut_of_all(*domain.share->ranks, cut);
   keep_vertical_stress(domain);
   domain.boundary.match(domain);
-  return cut;
+  if (domain.share)
+    follow_faces(domain);
+  return by_soil(domain.sets, cut);
 }
 
 } // namespace tremolo::mpm_domain

@@ -20,6 +20,7 @@ struct CutStress {
 };
 
 /// The laws' memory begins with the stress under gravity, and with it the stiffness that the dashpots match.
+/// Ranks that share the domain call it together.
 /// @returns the soils whose law could not hold that stress
 std::vector<CutStress> begin_history(Domain& domain);
 

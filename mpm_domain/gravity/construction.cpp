@@ -1,6 +1,6 @@
 #include "mpm_domain/gravity/construction.hpp"
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 
 #include <algorithm>
 #include <array>

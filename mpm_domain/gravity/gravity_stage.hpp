@@ -54,11 +54,12 @@ struct StructureWay {
 struct Reactions {
   std::vector<std::size_t> base;  ///< nodes fixed in x and y
   std::vector<std::size_t> sides; ///< nodes fixed in x only
-  std::vector<Vector> force;      ///< one per node of the grid; zero where free
+  std::vector<Vector> force;      ///< at those of the base, then at those of the sides
   bool slipping = false; ///< structures or linings do not rest on their friction: bonds stay until shaking
   std::vector<std::size_t> slipping_bodies; ///< those that do, as indices into Contact::bodies()
   std::vector<CutStress> cut;               ///< soils that cannot hold their stress
   std::vector<StructureWay> ways; ///< of rigid structures; none where there is no stage after gravity
+  std::size_t particles = 0;      ///< of the whole domain
 };
 
 struct GravitySettings {

@@ -3,6 +3,7 @@
 #include "mpm_domain/dispersion/fullness.hpp"
 #include "mpm_domain/gravity/surface_line.hpp"
 #include "mpm_domain/grid/tied_nodes.hpp"
+#include "mpm_domain/ranks/lists_of_all.hpp"
 #include "mpm_domain/spec/growth.hpp"
 #include "mpm_domain/spec/held_nodes.hpp"
 #include "mpm_domain/step/time_step.hpp"
@@ -84,8 +85,7 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain), has_structures_(domain
     domain.contact.begin_rest(domain);
     domain.linings.begin_rest(domain);
   }
-  for (NodeField* velocity : {&domain.grid.vx_after, &domain.grid.vy_after})
-    std::fill(velocity->begin(), velocity->end(), 0.0);
+  stop_nodes();
   find_supports();
   const double depth = domain.spec.box.y_max - domain.spec.box.y_min;
   double slowest = domain.fastest_wave();
@@ -96,9 +96,16 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain), has_structures_(domain
   drained_step_ = domain.spec.scheme.fraction * critical_skeleton_step(domain);
 }
 
+void Relaxation::stop_nodes() {
+  for (const auto& [begin, end] : domain_.soil_rows)
+    for (NodeField* velocity : {&domain_.grid.vx_after, &domain_.grid.vy_after})
+      std::fill(velocity->data() + begin, velocity->data() + end, 0.0);
+}
+
 void Relaxation::find_supports() {
-  const std::vector<unsigned char> none(domain_.grid.size(), 0);
-  supports_ = {none, none, none, none, none};
+  for (ZeroPages<unsigned char>* marks :
+       {&supports_.fixed_x, &supports_.fixed_y, &supports_.full, &supports_.met, &supports_.skin})
+    set_to_zeros(*marks, domain_.grid.size());
   if (has_structures_)
     find_met_nodes();
   for (int level = 0; level < domain_.lattice_count(); ++level)
@@ -219,8 +226,10 @@ double Relaxation::relax_grid(bool bonded) {
 /// Strains soil by the velocity of the nodes.
 void Relaxation::strain(bool undrained) {
   if (domain_.is_sharp()) {
-    domain_.grid.vx_strain = domain_.grid.vx_after;
-    domain_.grid.vy_strain = domain_.grid.vy_after;
+    for (const auto& [begin, end] : domain_.soil_rows) {
+      std::copy_n(domain_.grid.vx_after.begin() + begin, end - begin, domain_.grid.vx_strain.begin() + begin);
+      std::copy_n(domain_.grid.vy_after.begin() + begin, end - begin, domain_.grid.vy_strain.begin() + begin);
+    }
     sharpen_strain(domain_);
     gather(domain_, dt_, {.strain = true, .remapped = true, .sharp = true});
   } else {
@@ -279,18 +288,20 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
 void Relaxation::count_way() {
   if (!way_x_.empty())
     return;
-  way_x_.resize(domain_.grid.size());
-  way_y_.resize(domain_.grid.size());
+  set_to_zeros(way_x_, domain_.grid.size());
+  set_to_zeros(way_y_, domain_.grid.size());
   for (std::size_t b = 0; b < domain_.contact.bodies().size(); ++b)
     if (!domain_.contact.is_elastic(b))
       structure_ways_.push_back({domain_.contact.bodies()[b].name(), {}});
 }
 
 void Relaxation::add_way() {
-  for (std::size_t n = 0; n < way_x_.size(); ++n) {
-    way_x_[n] += dt_ * domain_.grid.vx_after[n];
-    way_y_[n] += dt_ * domain_.grid.vy_after[n];
-  }
+  if (!way_x_.empty())
+    for (const auto& [begin, end] : domain_.soil_rows)
+      for (std::size_t n = begin; n < end; ++n) {
+        way_x_[n] += dt_ * domain_.grid.vx_after[n];
+        way_y_[n] += dt_ * domain_.grid.vy_after[n];
+      }
   for (StructureWay& structure : structure_ways_) {
     const RigidMotion& u =
         std::ranges::find(domain_.contact.bodies(), structure.name, &RigidBody::name)->motion();
@@ -302,8 +313,11 @@ void Relaxation::add_way() {
 
 /// u_p = sum S u_i: particles keep their positions, and have come from others.
 void Relaxation::take_way_as_displacement() {
-  std::ranges::copy(way_x_, domain_.grid.vx_after.begin());
-  std::ranges::copy(way_y_, domain_.grid.vy_after.begin());
+  for (const auto& [begin, end] : domain_.soil_rows)
+    for (std::size_t n = begin; n < end; ++n) {
+      domain_.grid.vx_after[n] = way_x_[n];
+      domain_.grid.vy_after[n] = way_y_[n];
+    }
   take_velocities_of_nodes(domain_);
   for (Particles& set : domain_.sets) {
     for (std::size_t k = 0; k < set.size(); ++k) {
@@ -313,34 +327,52 @@ void Relaxation::take_way_as_displacement() {
     for (std::vector<double>* field : {&set.vx, &set.vy, &set.bxx, &set.bxy, &set.byx, &set.byy})
       std::ranges::fill(*field, 0.0);
   }
-  for (NodeField* field : {&domain_.grid.vx_after, &domain_.grid.vy_after})
-    std::ranges::fill(*field, 0.0);
+  stop_nodes();
 }
 
+namespace {
+
+/// The force of a support on a node.
+struct NodeReaction {
+  std::size_t node;
+  bool of_base;
+  Vector force; ///< N/m
+};
+
+/// Those of all ranks.
+std::vector<NodeReaction> reactions_of_all(Communicator& ranks, const std::vector<NodeReaction>& own) {
+  std::vector<double> numbers;
+  for (const auto& [node, of_base, force] : own)
+    numbers.insert(numbers.end(), {static_cast<double>(node), of_base ? 1.0 : 0.0, force.x, force.y});
+  std::vector<NodeReaction> all;
+  numbers = lists_of_all(ranks, numbers);
+  for (std::size_t n = 0; n < numbers.size(); n += 4)
+    all.push_back(
+        {static_cast<std::size_t>(numbers[n]), numbers[n + 1] > 0.0, {numbers[n + 2], numbers[n + 3]}});
+  std::ranges::sort(all, {}, &NodeReaction::node);
+  return all;
+}
+
+} // namespace
+
 Reactions Relaxation::reactions() const {
-  constexpr double of_base = 1.0;
-  constexpr double of_side = 2.0;
   const Grid& grid = domain_.grid;
-  std::vector<double> held_by(grid.size(), 0.0), x(grid.size(), 0.0), y(grid.size(), 0.0);
-  for (const std::size_t n : held_by_.base) {
-    held_by[n] = of_base;
-    x[n] = -grid.force_x[n];
-    y[n] = -grid.force_y[n];
-  }
-  for (const std::size_t n : held_by_.sides) {
-    held_by[n] = of_side;
-    x[n] = -grid.force_x[n];
-  }
-  for (std::vector<double>* const of_nodes : {&held_by, &x, &y})
-    take_nodes_of_all(domain_, *of_nodes);
+  std::vector<NodeReaction> held;
+  for (const std::size_t n : held_by_.base)
+    if (domain_.counts({n, n + 1}))
+      held.push_back({n, true, {-grid.force_x[n], -grid.force_y[n]}});
+  for (const std::size_t n : held_by_.sides)
+    if (domain_.counts({n, n + 1}))
+      held.push_back({n, false, {-grid.force_x[n], 0.0}});
+  if (domain_.share)
+    held = reactions_of_all(*domain_.share->ranks, held);
   Reactions reactions;
-  for (std::size_t n = 0; n < grid.size(); ++n) {
-    reactions.force.push_back({x[n], y[n]});
-    if (held_by[n] == of_base)
-      reactions.base.push_back(n);
-    else if (held_by[n] == of_side)
-      reactions.sides.push_back(n);
-  }
+  for (const bool of_base : {true, false})
+    for (const NodeReaction& one : held)
+      if (one.of_base == of_base) {
+        (of_base ? reactions.base : reactions.sides).push_back(one.node);
+        reactions.force.push_back(one.force);
+      }
   return reactions;
 }
 

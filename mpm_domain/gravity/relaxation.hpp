@@ -73,11 +73,12 @@ public:
 private:
   /// The fixed directions of each node, and the nodes that carry soil.
   struct Supports {
-    std::vector<unsigned char> fixed_x, fixed_y, full;
-    std::vector<unsigned char> met;  ///< nodes that structures touch
-    std::vector<unsigned char> skin; ///< nodes whose unbalanced force does not count
+    ZeroPages<unsigned char> fixed_x, fixed_y, full;
+    ZeroPages<unsigned char> met;  ///< nodes that structures touch
+    ZeroPages<unsigned char> skin; ///< nodes whose unbalanced force does not count
   };
 
+  void stop_nodes();
   void find_supports();
   void find_supports(const Lattice& lattice);
   void find_met_nodes();
@@ -93,9 +94,9 @@ private:
   std::vector<materials::Law> laws_;  ///< by set, with their softening
   std::vector<ParticleFields> given_; ///< by set: volumes and boxes, which stay
   Supports supports_;
-  Reactions held_by_;                 ///< nodes of the constraints
-  std::vector<Vector> held_;          ///< c; empty: none
-  std::vector<double> way_x_, way_y_; ///< of nodes since it counts, m; empty: it does not
+  Reactions held_by_;        ///< nodes of the constraints
+  std::vector<Vector> held_; ///< c; empty: none
+  NodeField way_x_, way_y_;  ///< of nodes since it counts, m; empty: it does not
   std::vector<StructureWay> structure_ways_;
   double alpha_ = 0.0;
   double drained_step_ = 0.0; ///< s

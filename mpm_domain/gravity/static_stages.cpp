@@ -1,7 +1,8 @@
 #include "mpm_domain/gravity/static_stages.hpp"
 
 #include "mpm_domain/gravity/construction.hpp"
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/ranks/passed_state.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
@@ -81,6 +82,14 @@ void displace(Particles& set) {
   }
 }
 
+/// On all ranks.
+std::size_t count_particles(const Domain& domain) {
+  std::int64_t count = static_cast<std::int64_t>(domain.particle_count());
+  if (domain.share)
+    domain.share->ranks->add({&count, 1});
+  return static_cast<std::size_t>(count);
+}
+
 Course course_of(const StageSettings& settings) {
   return {.undrained = settings.undrained,
           .ramp = settings.ramp,
@@ -100,10 +109,12 @@ StaticStage::~StaticStage() = default;
 StaticStages::StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
                            StageProgress progress, Communicator* ranks)
     : end_(end), gravity_(gravity), stages_(then.begin(), then.end()), progress_(std::move(progress)),
-      ranks_(ranks) {
+      ranks_(ranks), is_filled_together_(end.share.has_value()) {
   if (!(end.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", end.spec.gravity));
+  if (is_filled_together_ && !then.empty())
+    throw std::invalid_argument("stages after gravity need a model that each rank has built whole");
   begin_model(0);
 }
 
@@ -141,13 +152,14 @@ Reactions StaticStages::finish() {
   reactions.slipping_bodies = slipping_.value_or(std::vector<std::size_t>{});
   reactions.slipping = slipping_.has_value();
   reactions.cut = begin_history(*model_);
+  reactions.particles = count_particles(*model_);
   model_->contact.follow_particles(*model_); // surfaces of elastic bodies turn with the last stage, too
   reactions.ways = ways_;
   return reactions;
 }
 
 void StaticStages::gravity() {
-  set_rest_stress(model_->sets_of_soil(), model_->spec);
+  set_rest_stress(model_->sets_of_soil(), model_->spec, {}, model_->share ? ranks_ : nullptr);
   begin_relaxation();
   act_with_loads(0);
   model_->props.place_jacks(nullptr);
@@ -208,7 +220,7 @@ void StaticStages::go(const ConstructionSettings& construction) {
 
 void StaticStages::end_stage() {
   reactions_ = relaxation_->reactions();
-  forces_ = relaxation_->forces();
+  forces_ = over_ < stages_.size() ? relaxation_->forces() : std::vector<Vector>{};
   ++over_;
   of_going_.assign(model_->contact.bodies().size(), {});
   for (const std::size_t structure :
@@ -218,7 +230,7 @@ void StaticStages::end_stage() {
   model_->props.lock();
   relaxation_->finish();
   relaxation_.reset();
-  if (ranks_ != nullptr)
+  if (ranks_ != nullptr && !is_filled_together_)
     gather_model();
 }
 
@@ -282,7 +294,7 @@ void StaticStages::begin_model(std::size_t first) {
 
 void StaticStages::begin_relaxation() {
   slipping_.reset();
-  if (ranks_ != nullptr)
+  if (ranks_ != nullptr && !is_filled_together_)
     share_out(*model_, *ranks_);
   else
     find_reach(*model_); // surfaces of elastic bodies turn with them

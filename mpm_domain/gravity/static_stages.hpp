@@ -9,7 +9,8 @@
 // from which a construction goes on. Nothing else outlives a stage, so that a walk which is given this of
 // another one goes on with the same bits. It can therefore be broken off after any stage.
 //
-// Ranks share the model during a stage, with the same bits, and each has the whole of it between two.
+// Ranks share the model during a stage, with the same bits, and each has the whole of it between two. Of a
+// model that ranks have filled together no rank ever has the whole: gravity is its only stage.
 
 #include "mpm_domain/fields/stages_over.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
@@ -34,7 +35,8 @@ public:
   ///              outlives this
   /// @param then  the stages after gravity
   /// @param ranks those that share the work, all with the same arguments; null: one process. It outlives this
-  /// @throws std::invalid_argument for a model without weight
+  /// @throws std::invalid_argument for a model without weight, and for stages after gravity where ranks share
+  /// the model already
   StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
                StageProgress progress, Communicator* ranks = nullptr);
 
@@ -46,8 +48,8 @@ public:
   /// @throws NotAtRest if it does not come to rest
   void next();
 
-  /// Acts on the model as the last stage has left it, with structures where they have gone, and leaves it as
-  /// it was.
+  /// Acts on the model, which is whole, as the last stage has left it, with structures where they have gone,
+  /// and leaves it as it was.
   void show(const std::function<void(Domain& model)>& act);
 
   /// After the last stage: the laws' memory begins.
@@ -108,7 +110,7 @@ private:
   }
   template <class Reader>
   void restore_result(const Reader& from) {
-    take_forces(numbers_of_size(from, "static.forces", 2 * model_->grid.size()));
+    take_forces(numbers_of_size(from, "static.forces", are_over() ? 0 : 2 * model_->grid.size()));
     take_loads(numbers_of_size(from, "static.loads", 3 * model_->contact.bodies().size()));
     take_ways(numbers_of_size(from, "static.ways", numbers_of_way * ways_.size()));
   }
@@ -142,11 +144,12 @@ private:
   std::vector<StaticStage> stages_; ///< after gravity
   StageProgress progress_;
   Communicator* ranks_; ///< null: there is one process
+  bool is_filled_together_;
   std::size_t over_ = 0;
   std::shared_ptr<Domain> own_; ///< the present model; null: it is that of the end
   Domain* model_ = nullptr;
   bool disturbed_ = false;     ///< the last stage has left an excess pressure
-  std::vector<Vector> forces_; ///< f0, N/m
+  std::vector<Vector> forces_; ///< f0, N/m; none when all stages are over
   /// Forces that removed structures exerted on the rigid ones of the present model at the end of the last
   /// stage.
   std::vector<RigidLoad> of_going_;

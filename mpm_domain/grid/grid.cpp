@@ -11,7 +11,7 @@ void resize(Grid& grid, int nx, int ny) {
 void resize_fields(Grid& grid, std::size_t count) {
   for (const NodeFieldDescription& line : node_field_table)
     if (grid.traits.have(line.trait))
-      (grid.*line.field).assign(count, 0.0);
+      set_to_zeros(grid.*line.field, count);
 }
 
 } // namespace tremolo::mpm_domain

@@ -77,7 +77,7 @@ void report(const Domain& domain, const Reactions& reactions) {
   if (!reactions.cut.empty())
     fmt::print("warning: the laws of these soils cannot hold the stress at rest and have cut it: {} of "
                "{} particles; the soil there is not at rest, a gentler slope or stronger soil would be\n",
-               cut_text(reactions.cut), domain.particle_count());
+               cut_text(reactions.cut), reactions.particles);
   if (reactions.slipping)
     fmt::print("warning: {}\n", slipping_text(domain, reactions.slipping_bodies));
 }

@@ -3,9 +3,10 @@
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
 //
-// mpirun may have started it as several ranks (docs/ranks.md). Each builds the whole domain; they bring it to
-// rest together, and then each keeps its share. Only rank 0 knows the coupler and writes results; it runs on
-// the machine of the run, the others there or on machines that share its folder.
+// mpirun may have started it as several ranks (docs/ranks.md). They fill the domain together, or each builds
+// all of it and keeps its share; they bring it to rest and shake it together. Only rank 0 knows the coupler
+// and writes results; it runs on the machine of the run, the others there or on machines that share its
+// folder.
 
 #include "coupler/participant.hpp"
 #include "mpm_domain/particles/share_out.hpp"
@@ -15,6 +16,7 @@
 #include "mpm_domain/process/come_to_rest.hpp"
 #include "mpm_domain/process/coupled_faces.hpp"
 #include "mpm_domain/process/output/run_output.hpp"
+#include "mpm_domain/process/ranks/particles_at_start.hpp"
 #include "mpm_domain/process/ranks/rank_inputs.hpp"
 #include "mpm_domain/process/ranks/shared_memory.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
@@ -35,6 +37,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -74,10 +77,10 @@ StageEnd end_of(const scene::Case& scene, const std::string& stage) {
 class RankZeroDriver {
 public:
   RankZeroDriver(coupler::DomainClient& client, const scene::Case& scene, const scene::Plan& plan,
-                 const coupler::ParticipantOptions& options, Domain& domain, const Snapshot& snapshot,
-                 const CoupledFaces& faces, const StageEnd& stop)
+                 const coupler::ParticipantOptions& options, Domain& domain, std::span<const Particles> start,
+                 const Snapshot& snapshot, const CoupledFaces& faces, const StageEnd& stop)
       : client_(client), scene_(scene), domain_(domain), snapshot_(snapshot), end_(scene.end()), stop_(stop),
-        output_(options.out, scene, scene::to_json(scene, plan), domain, snapshot, faces.sources()),
+        output_(options.out, scene, scene::to_json(scene, plan), domain, start, snapshot, faces.sources()),
         checkpoints_(scene) {}
 
   RunOutput& output() { return output_; }
@@ -186,16 +189,20 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
   if (saved != nullptr && client != nullptr)
     before = results::set_aside(options.out / "run.h5");
   Snapshot snapshot(domain);
+  std::vector<Particles> found;
+  if (domain.share)
+    found = particles_at_start(domain, scene);
   std::optional<RankZeroDriver> driver;
   std::vector<ParticleName> followed;
   if (client != nullptr) {
-    driver.emplace(*client, scene, plan, options, domain, snapshot, coupled, stop);
+    driver.emplace(*client, scene, plan, options, domain, domain.share ? found : domain.sets, snapshot,
+                   coupled, stop);
     followed = driver->output().followed();
   }
   try {
     if (saved != nullptr)
       restore(domain, *saved);
-    if (ranks != nullptr)
+    if (ranks != nullptr && !domain.share)
       share_out(domain, *ranks);
     snapshot.follow(followed);
     Stepper stepper(domain, 0.0, coupled_source(coupled, client, waiting_seconds));
@@ -226,8 +233,10 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
     require_same_inputs(*ranks, scene, plan, options);
   Spec spec = spec_from_case(scene, options.threads);
   spec.rock_motion = rock_motion(scene, plan);
-  Domain domain(spec);
   auto saved = coupler::saved_state(options);
+  // What goes on from a checkpoint, or has stages after gravity, is built whole by each rank.
+  const bool together = !saved && may_fill_together(spec) && scene::static_stages(scene).empty();
+  Domain domain(spec, together ? ranks : nullptr);
   const bool before_shaking = saved && is_before_shaking(scene, *saved);
   if (saved && !before_shaking)
     domain.boundary.restore_rest(domain, *saved);

@@ -15,8 +15,8 @@ namespace {
 
 /// Half of the largest difference of principal stresses that the ground beyond a face bears in the present
 /// stress, Pa; without a limit where the law of the soil there has none, and in rock below the base.
-double shear_strength(const BoundaryFace& face, const Ground& ground) {
-  const Particles& set = ground.sets[face.set];
+double shear_strength(const BoundaryFace& face, const Ground& ground, std::span<const Particles> sets) {
+  const Particles& set = sets[face.set];
   if (face.side == Side::base && ground.spec.below_base)
     return std::numeric_limits<double>::infinity();
   const auto lines = materials::strength_lines(set.law);
@@ -35,11 +35,12 @@ constexpr double notable_excess = 0.05;
 
 } // namespace
 
-LostHold::LostHold(const Ground& ground, const Boundary& boundary, bool total_base, double far)
+LostHold::LostHold(const Ground& ground, std::span<const Particles> sets, const Boundary& boundary,
+                   bool total_base, double far)
     : boundary_(boundary), springs_(boundary.supports().find<GroundSprings>()), total_base_(total_base),
       far_(far), moved_(boundary.faces().size()) {
   for (const BoundaryFace& face : boundary.faces())
-    strength_.push_back(shear_strength(face, ground));
+    strength_.push_back(shear_strength(face, ground, sets));
 }
 
 void LostHold::add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field) {

@@ -28,11 +28,13 @@ struct FaceDrift {
 /// through the dashpots, or away from them.
 class LostHold {
 public:
-  /// @param ground      at rest, of the whole domain
+  /// @param ground      at rest
+  /// @param sets        its particles, or as many of them as hold those of all faces
   /// @param boundary    outlives this
   /// @param total_base  whether the free field of the base is all of the motion of level ground
   /// @param far         what is worth a warning, m
-  LostHold(const Ground& ground, const Boundary& boundary, bool total_base, double far);
+  LostHold(const Ground& ground, std::span<const Particles> sets, const Boundary& boundary, bool total_base,
+           double far);
 
   /// Call it at every row of the history, with the velocities of that step.
   void add(double time, std::span<const Vector> ground, std::span<const eq6::FreeField> free_field);

@@ -2,7 +2,7 @@
 
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/particles/bounds.hpp"
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
 
 #include <fmt/format.h>
 

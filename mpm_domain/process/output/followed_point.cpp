@@ -64,10 +64,11 @@ ParticleMotion motion_in_space(const Snapshot& snapshot, ParticleName particle, 
           sum(snapshot.acceleration(s, k), base.acceleration, n * n)};
 }
 
-FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure) {
+FollowedPoint::FollowedPoint(Domain& domain, std::span<const Particles> sets, scene::Point point,
+                             std::optional<std::size_t> structure) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-    const Particles& set = domain.sets[s];
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const Particles& set = sets[s];
     const auto body = set.body ? std::optional(domain.contact.structure_of(*set.body)) : std::nullopt;
     if (body != structure)
       continue;
@@ -81,7 +82,7 @@ FollowedPoint::FollowedPoint(Domain& domain, scene::Point point, std::optional<s
     }
   }
   keep_whole(domain, set_, id_);
-  find_neighbours(domain.sets[set_]);
+  find_neighbours(sets[set_]);
 }
 
 void FollowedPoint::find_neighbours(const Particles& set) {
@@ -89,7 +90,7 @@ void FollowedPoint::find_neighbours(const Particles& set) {
   // The eight around it on an even grid of particles, whose distance is twice half_size. Positions are those
   // of now, before anything is shaken: x_initial already has the settlement under loads, but not in a resumed
   // run.
-  const double reach = 1.6 * 2.0 * set.half_size;
+  const double reach = reach_of_neighbours * 2.0 * set.half_size;
   for (std::size_t k = 0; k < set.size(); ++k) {
     const Vector offset{set.x[k] - set.x[own], set.y[k] - set.y[own]};
     if (k != own && std::hypot(offset.x, offset.y) < reach)

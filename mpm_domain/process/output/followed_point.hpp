@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,9 +54,14 @@ ParticleMotion motion_in_space(const Snapshot& snapshot, ParticleName particle, 
 /// their distance. Large rotations count as strain.
 class FollowedPoint {
 public:
+  /// Distance from which particles no longer count as neighbours, over their own size.
+  static constexpr double reach_of_neighbours = 1.6;
+
   /// The particle nearest to a point at the start, of soil or of a structure; it stays whole. Those around it
   /// may be cut, and no longer count then: to look at soil must not change how it moves.
-  FollowedPoint(Domain& domain, scene::Point point, std::optional<std::size_t> structure = std::nullopt);
+  /// @param sets  the particles of the domain, or as many of them as hold the nearest and its neighbours
+  FollowedPoint(Domain& domain, std::span<const Particles> sets, scene::Point point,
+                std::optional<std::size_t> structure = std::nullopt);
 
   /// Names and units of what values() gives.
   static std::vector<OutputColumn> columns(const scene::Case& scene);

@@ -48,13 +48,13 @@ results::BoundaryFaces boundary_faces(const Domain& domain, std::span<const std:
 } // namespace
 
 RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& scene,
-                     const std::string& plan, Domain& domain, const Snapshot& snapshot,
-                     std::span<const std::string> face_sources)
+                     const std::string& plan, Domain& domain, std::span<const Particles> start,
+                     const Snapshot& snapshot, std::span<const std::string> face_sources)
     : scene_(scene), domain_(domain), snapshot_(snapshot),
       writer_(directory / "run.h5", description(scene, plan)), bodies_(scene, domain, writer_),
       linings_(domain, writer_), props_(domain, writer_), sections_(scene, domain, writer_),
       sliding_masses_(scene, writer_),
-      lost_hold_(domain, domain.boundary, scene.boundary.base.form != scene::BaseForm::incident,
+      lost_hold_(domain, start, domain.boundary, scene.boundary.base.form != scene::BaseForm::incident,
                  scene.mesh.size) {
   const scene::Box& box = scene.mesh.box;
   writer_.attribute("mesh_size", scene.mesh.size);
@@ -79,28 +79,32 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
   energy_ = &writer_.add_series("/energy", columns, units);
   if (domain.spec.rigid_base)
     table_ = &add_history(writer_, table_path, table_columns);
-  add_monitors();
-  add_lines();
+  add_monitors(start);
+  add_lines(start);
+  for (const Followers& followers : followers_)
+    for (const FollowedPoint& point : followers.points)
+      point.add_followed(followed_);
+  sliding_masses_.add_followed(start.first(domain.soil_sets), followed_);
   writer_.set_boundary(boundary_faces(domain, face_sources));
 }
 
-void RunOutput::add_monitors() {
+void RunOutput::add_monitors(std::span<const Particles> start) {
   for (const scene::Monitor& monitor : scene_.monitors) {
     if (monitor.structure && !domain_.contact.is_elastic(*monitor.structure))
       continue;
     std::vector<results::Attribute> attributes;
     if (monitor.structure)
       attributes.push_back({"structure", scene_.structures[*monitor.structure].name});
-    const FollowedPoint point(domain_, monitor.point, monitor.structure);
+    const FollowedPoint point(domain_, start, monitor.point, monitor.structure);
     add_followers("/monitors/" + monitor.name, {point}, attributes, false);
   }
 }
 
-void RunOutput::add_lines() {
+void RunOutput::add_lines(std::span<const Particles> start) {
   for (const scene::Line& line : scene_.lines) {
     std::vector<FollowedPoint> points;
     for (const scene::Point& position : scene::points_along(line.from, line.to, line.spacing)) {
-      const FollowedPoint point(domain_, position);
+      const FollowedPoint point(domain_, start, position);
       // A line may be finer than the particles.
       if (points.empty() || !(points.back() == point))
         points.push_back(point);
@@ -119,15 +123,6 @@ void RunOutput::add_followers(const std::string& path, const std::vector<Followe
       units.emplace_back(unit);
     }
   followers_.push_back({path, points, &writer_.add_series(path, names, units, attributes)});
-}
-
-std::vector<ParticleName> RunOutput::followed() const {
-  std::vector<ParticleName> particles;
-  for (const Followers& followers : followers_)
-    for (const FollowedPoint& point : followers.points)
-      point.add_followed(particles);
-  sliding_masses_.add_followed(domain_.sets_of_soil(), particles);
-  return particles;
 }
 
 Snapshot::Extent RunOutput::needs(const Stepper& stepper) const {

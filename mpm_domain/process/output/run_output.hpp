@@ -29,12 +29,15 @@ namespace tremolo::mpm_domain {
 class RunOutput {
 public:
   /// Creates DIR/run.h5 for a domain at the start of shaking; particles that monitors follow stay whole.
+  /// @param start     the particles of the domain, or as many of them as output looks for
+  ///                  (ranks/particles_at_start.hpp)
   /// @param snapshot  what is written of the particles; it and the domain outlive this
   RunOutput(const std::filesystem::path& directory, const scene::Case& scene, const std::string& plan,
-            Domain& domain, const Snapshot& snapshot, std::span<const std::string> face_sources);
+            Domain& domain, std::span<const Particles> start, const Snapshot& snapshot,
+            std::span<const std::string> face_sources);
 
   /// The particles that have histories.
-  std::vector<ParticleName> followed() const;
+  const std::vector<ParticleName>& followed() const { return followed_; }
   /// Fields of the snapshot that are needed after a step, and at the end.
   Snapshot::Extent needs(const Stepper& stepper) const;
   Snapshot::Extent needs_to_finish(const Stepper& stepper) const;
@@ -76,8 +79,8 @@ private:
 
   /// State that the output keeps from row to row.
   SavedNumbers state();
-  void add_monitors();
-  void add_lines();
+  void add_monitors(std::span<const Particles> start);
+  void add_lines(std::span<const Particles> start);
   /// Adds the series of one point, or of several, whose columns are then numbered.
   void add_followers(const std::string& path, const std::vector<FollowedPoint>& points,
                      std::span<const results::Attribute> attributes, bool numbered);
@@ -100,6 +103,7 @@ private:
   results::TimeSeries* energy_ = nullptr;
   results::TimeSeries* table_ = nullptr; ///< motion of a shaking table
   std::vector<Followers> followers_;
+  std::vector<ParticleName> followed_;
   double next_history_ = 0.0;
   double next_frame_ = 0.0;
   double last_history_ = 0.0; ///< times of what was written last

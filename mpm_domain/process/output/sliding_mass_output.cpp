@@ -26,20 +26,21 @@ scene::Box bounds(const scene::Polygon& polygon) {
 
 /// The positions of the particles of a set that began within an outline, in the order of ids: sums over them
 /// do not depend on how particles are sorted.
-std::vector<std::uint32_t> members(const scene::Polygon& outline, const Particles& set) {
-  const scene::Box box = bounds(outline);
+std::vector<std::uint32_t> members(const scene::SlidingMass& mass, const Particles& set) {
   std::vector<std::uint32_t> members;
-  for (const std::uint32_t k : set.index_of) {
-    if (k == Particles::nowhere)
-      continue;
-    const scene::Point start{set.x_initial[k], set.y_initial[k]};
-    if (box.contains(start) && scene::contains(outline, start))
+  for (const std::uint32_t k : set.index_of)
+    if (k != Particles::nowhere && began_within(mass, set, k))
       members.push_back(k);
-  }
   return members;
 }
 
 } // namespace
+
+bool began_within(const scene::SlidingMass& mass, const Particles& set, std::size_t k) {
+  const scene::Polygon& outline = mass.outline.corners;
+  const scene::Point start{set.x_initial[k], set.y_initial[k]};
+  return bounds(outline).contains(start) && scene::contains(outline, start);
+}
 
 SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, results::RunWriter& writer) : scene_(scene) {
   for (const scene::SlidingMass& mass : scene.sliding_masses) {
@@ -55,7 +56,7 @@ SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, results::RunWrite
 void SlidingMassOutput::add_followed(std::span<const Particles> sets, std::vector<ParticleName>& to) const {
   for (const scene::SlidingMass& mass : scene_.sliding_masses)
     for (std::size_t s = 0; s < sets.size(); ++s)
-      for (const std::uint32_t k : members(mass.outline.corners, sets[s]))
+      for (const std::uint32_t k : members(mass, sets[s]))
         to.push_back({s, sets[s].id[k]});
 }
 
@@ -65,7 +66,7 @@ void SlidingMassOutput::write_history(const Snapshot& snapshot, const Stepper& s
     double mass = 0.0;
     std::array<double, 8> sums{};
     for (std::size_t s = 0; s < sets.size(); ++s)
-      for (const std::uint32_t k : members(scene_.sliding_masses[m].outline.corners, sets[s])) {
+      for (const std::uint32_t k : members(scene_.sliding_masses[m], sets[s])) {
         const Particles& set = sets[s];
         const auto [x, u, v, a] = motion_in_space(snapshot, {s, set.id[k]}, stepper);
         const std::array values{x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y};

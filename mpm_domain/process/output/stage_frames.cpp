@@ -36,7 +36,8 @@ void write_stage_frame(const std::filesystem::path& folder, const scene::Case& s
   std::filesystem::create_directories(folder);
   const std::vector<std::string> no_sources(domain.boundary.faces().size());
   const Snapshot snapshot(domain);
-  RunOutput output(folder, scene, scene::to_json(scene, scene::plan(scene)), domain, snapshot, no_sources);
+  RunOutput output(folder, scene, scene::to_json(scene, scene::plan(scene)), domain, domain.sets, snapshot,
+                   no_sources);
   output.write_before_shaking(Stepper(domain, 0.0, [](auto&&...) {}));
   output.abort(reason);
 }

@@ -2,7 +2,7 @@
 // on cells of 0.25 m everywhere and on the three levels of its case.toml. Both step with the same time
 // step.
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/quiet_ground.hpp"
 

@@ -1,7 +1,7 @@
 // Hard cases 28 to 32: structures that rest, are far heavier or lighter than the soil, cut into it with a
 // corner, collide with soil between them, and come to the surface.
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "tests/support/conservation_monitor.hpp"
 #include "tests/support/structure_scene.hpp"
 

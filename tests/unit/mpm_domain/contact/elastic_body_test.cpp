@@ -3,7 +3,7 @@
 #include "mpm_domain/contact/elastic_body.hpp"
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/head/seepage_of_ground.hpp"
-#include "mpm_domain/particles/fill_bodies.hpp"
+#include "mpm_domain/particles/fill/fill_bodies.hpp"
 #include "tests/support/structure_scene.hpp"
 
 #include <gtest/gtest.h>

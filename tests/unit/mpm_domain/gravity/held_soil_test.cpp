@@ -4,7 +4,7 @@
 #include "mpm_domain/gravity/held_soil.hpp"
 
 #include "mpm_domain/head/seepage_of_ground.hpp"
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "tests/support/box_run.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "mpm_domain/process/output/run_output.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
 #include "results/run_file.hpp"
 #include "scene/plan/plan.hpp"
 #include "tests/support/quiet_ground.hpp"

@@ -1,6 +1,6 @@
 // Particles' squares are cut at the edges of regions and structures.
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
 #include "mpm_domain/spec/plot.hpp"
 #include "tests/support/structure_scene.hpp"
 

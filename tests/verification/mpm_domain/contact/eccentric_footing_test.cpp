@@ -1,7 +1,7 @@
 // A rigid smooth strip foundation under an eccentric load tilts as on an elastic half-space:
 // theta = 16 (1 - nu^2) M/(pi E B^2) (Muskhelishvili 1953).
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "tests/support/structure_scene.hpp"
 
 #include <gtest/gtest.h>

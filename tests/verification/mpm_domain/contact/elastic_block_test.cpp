@@ -2,7 +2,7 @@
 // slide and settle as rigid ones do where they are stiff, keep momentum where they hit the ground, and go on
 // from a checkpoint with the same bits.
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "standing_block.hpp"
 #include "tests/support/inclined_block.hpp"
 #include "tests/support/saved_state.hpp"

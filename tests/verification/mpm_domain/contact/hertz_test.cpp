@@ -3,7 +3,7 @@
 // sqrt(1 - x^2/b^2), p0 = sqrt(P E*/(pi R)). The cylinder bounces so slowly that this holds with the force of
 // any time.
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "tests/support/structure_scene.hpp"
 
 #include <gtest/gtest.h>

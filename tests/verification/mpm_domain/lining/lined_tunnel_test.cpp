@@ -6,7 +6,7 @@
 
 #include "lining_state.hpp"
 
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "mpm_domain/transfer/out_of_reach.hpp"
 #include "tests/support/lined_ring.hpp"
 #include "tests/support/saved_state.hpp"

@@ -1,4 +1,4 @@
-#include "mpm_domain/particles/plots.hpp"
+#include "mpm_domain/particles/fill/plots.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,9 +1,9 @@
-#include "mpm_domain/particles/fill_bodies.hpp"
+#include "mpm_domain/particles/fill/fill_bodies.hpp"
 
 #include "mesh/cell_size.hpp"
 #include "mesh/polygon_measures.hpp"
-#include "mpm_domain/particles/fill.hpp"
-#include "mpm_domain/particles/plots.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
+#include "mpm_domain/particles/fill/plots.hpp"
 #include "mpm_domain/spec/plot.hpp"
 
 #include <fmt/format.h>

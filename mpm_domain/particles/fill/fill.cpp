@@ -1,8 +1,8 @@
-#include "mpm_domain/particles/fill.hpp"
+#include "mpm_domain/particles/fill/fill.hpp"
 
 #include "mesh/cell_size.hpp"
 #include "mesh/polygon.hpp"
-#include "mpm_domain/particles/plots.hpp"
+#include "mpm_domain/particles/fill/plots.hpp"
 #include "mpm_domain/spec/plot.hpp"
 #include "mpm_domain/spec/slices.hpp"
 
@@ -117,23 +117,15 @@ std::vector<std::vector<Vector>> polygons_of(const std::vector<Owner>& owners,
   return polygons;
 }
 
-/// Highest and lowest point of an outline at some x; none: it does not reach there.
-std::optional<std::pair<double, double>> chord_at(const std::vector<Vector>& outline, double x) {
-  std::optional<std::pair<double, double>> chord;
-  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-    const Vector& a = outline[j];
-    const Vector& b = outline[i];
-    if ((a.x > x) == (b.x > x))
-      continue;
-    const double y = a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y);
-    chord = chord ? std::pair(std::max(chord->first, y), std::min(chord->second, y)) : std::pair(y, y);
-  }
-  return chord;
+/// Where the part of a process begins in a sequence.
+std::size_t begin_of(int number, const FillPart& part, std::size_t length) {
+  return length * static_cast<std::size_t>(number) / static_cast<std::size_t>(part.count);
 }
 
 } // namespace
 
-std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, const mesh::Quadtree* tree) {
+std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, const mesh::Quadtree* tree,
+                            FillPart part) {
   const double size = particle_size(spec);
   const int columns = count_along(spec.box.x_max - spec.box.x_min, size);
   const int rows = count_along(spec.box.y_max - spec.box.y_min, size);
@@ -164,80 +156,23 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
         sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];
     plots.add(set, plot, particle_size(spec, level));
   };
-  if (tree)
-    for (const mesh::Cell& leaf : tree->leaves())
-      fill_leaf(spec, leaf.level, tree->rectangle(leaf), add);
-  else
-    for (int j = 0; j < rows; ++j)
+  const std::vector<mesh::Cell> leaves = tree ? tree->leaves() : std::vector<mesh::Cell>{};
+  const std::size_t length = tree ? leaves.size() : static_cast<std::size_t>(rows);
+  const std::size_t end = begin_of(part.number + 1, part, length);
+  for (std::size_t n = begin_of(part.number, part, length); n < end; ++n)
+    if (tree)
+      fill_leaf(spec, leaves[n].level, tree->rectangle(leaves[n]), add);
+    else
       for (int i = 0; i < columns; ++i)
-        add(0, spec.box.x_min + (i + 0.5) * size, spec.box.y_min + (j + 0.5) * size);
+        add(0, spec.box.x_min + (i + 0.5) * size, spec.box.y_min + (static_cast<double>(n) + 0.5) * size);
   plots.join_slivers();
-  if (std::all_of(sets.begin(), sets.end(), [](const Particles& set) { return set.size() == 0; }))
-    throw std::invalid_argument("no particle lies in any region: the domain is empty");
+  if (part.count == 1 && std::ranges::all_of(sets, [](const Particles& set) { return set.size() == 0; }))
+    throw std::invalid_argument(no_particle);
   for (Particles& set : sets) {
     set.state.resize(set.size() * set.state_size);
     materials::initialise(set.law, set.points(0, set.size()));
   }
   return sets;
-}
-
-/// Every particle stands in all columns, as wide as the smallest particles, that it covers, and takes the
-/// mean of their overburdens. What lies under a lining has borne the soil that stood in its place.
-void set_rest_stress(std::span<Particles> sets, const Spec& spec,
-                     const std::function<bool(std::size_t, std::size_t)>& concerns) {
-  const int finest = std::ranges::max(sets, {}, &Particles::level).level;
-  const double width = particle_size(spec, finest);
-  struct Position {
-    double y;
-    Particles* set;
-    std::size_t k;
-  };
-  std::vector<std::vector<Position>> columns(
-      static_cast<std::size_t>(std::lround((spec.box.x_max - spec.box.x_min) / width)));
-  for (std::size_t s = 0; s < sets.size(); ++s)
-    for (std::size_t k = 0; k < sets[s].size(); ++k) {
-      if (concerns && !concerns(s, k))
-        continue;
-      Particles& set = sets[s];
-      const auto first =
-          static_cast<std::size_t>((set.x[k] - set.half_size + 0.5 * width - spec.box.x_min) / width);
-      for (std::size_t c = 0; c < std::size_t{1} << (finest - set.level); ++c)
-        columns[first + c].push_back({set.y[k], &set, k});
-      set.syy[k] = 0.0;
-    }
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    std::vector<Position>& column = columns[c];
-    std::vector<std::pair<double, double>> cavities;
-    for (const Lining& lining : spec.linings)
-      if (const auto chord =
-              chord_at(lining.outline, spec.box.x_min + (static_cast<double>(c) + 0.5) * width))
-        cavities.push_back(*chord);
-    const Position* above = nullptr;
-    std::sort(column.begin(), column.end(), [](const Position& a, const Position& b) { return a.y > b.y; });
-    double overburden = 0.0;
-    for (const Position& position : column) {
-      Particles& set = *position.set;
-      for (const auto& [top, bottom] : cavities)
-        if (const double middle = 0.5 * (top + bottom);
-            above != nullptr && above->y > middle && position.y < middle)
-          overburden += above->set->weight_share * above->set->density * spec.gravity * (top - bottom);
-      above = &position;
-      const double rising =
-          set.traits.seeping ? set.water->unit_weight * set.volume[position.k] * set.head_slope_y[position.k]
-                             : 0.0;
-      const double weight =
-          (set.weight_share * set.mass[position.k] * spec.gravity + rising) / (2.0 * set.half_size);
-      set.syy[position.k] -= (overburden + 0.5 * weight) / static_cast<double>(1 << (finest - set.level));
-      overburden += weight;
-    }
-  }
-  for (std::size_t s = 0; s < sets.size(); ++s) {
-    Particles& set = sets[s];
-    const double k0 = materials::elasticity(set.law).rest_coefficient();
-    for (std::size_t k = 0; k < set.size(); ++k)
-      if (!concerns || concerns(s, k))
-        set.sxx[k] = set.szz[k] = k0 * set.syy[k];
-  }
 }
 
 } // namespace tremolo::mpm_domain

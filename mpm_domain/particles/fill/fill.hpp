@@ -7,9 +7,7 @@
 #include "mpm_domain/spec/spec.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -19,24 +17,30 @@ inline double particle_size(const Spec& spec, int level = 0) {
   return particle_size(mesh::cell_size(spec.cell_size, level), spec.particles_per_cell);
 }
 
+/// The part of a spec that one of several processes fills: of the rows of lattice points, or of the leaves of
+/// a graded mesh, the parts of processes 0, 1, ... follow each other.
+struct FillPart {
+  int number = 0;
+  int count = 1;
+};
+
+/// What is wrong with a spec without particles.
+inline constexpr const char* no_particle = "no particle lies in any region: the domain is empty";
+
 /// Lays particles on a square lattice aligned with the model box, particles_per_cell per cell and direction,
-/// wherever the lattice point lies in a region. One set per soil, in the order of Spec::soils.
+/// wherever the lattice point lies in a region. One set per soil, in the order of Spec::soils. A set's
+/// particles have the numbers 0, 1, ... in the order in which they are laid.
 ///
 /// In a spec with structures or linings, squares are cut by these and by the edges of the regions: what is
-/// left keeps its area, and its particle stands at its centroid.
+/// left keeps its area, and its particle stands at its centroid. Slivers join the nearest particle, so that
+/// such a spec is filled by one process.
 ///
 /// On a graded mesh every leaf is filled alike, so that a particle's size goes with its cell; there is one
 /// set per soil and level, level by level.
 /// @param head  of the water of the spec; none without water
-/// @throws std::invalid_argument if no particle results or the box is not a multiple of the particle size
+/// @throws std::invalid_argument if the box is not a multiple of the particle size, or one process fills all
+/// and no particle results
 std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head,
-                            const mesh::Quadtree* tree = nullptr);
-
-/// Gives particles the stress of level layers at rest: s_yy = -overburden of the particles above them, s_xx =
-/// s_zz = K0 s_yy with the soil's nu/(1-nu); water that rises or falls through them takes part. A start for
-/// the gravity stage, exact for level ground.
-/// @param concerns  whether a particle, by set and number, gets the stress and weighs on others; none: all do
-void set_rest_stress(std::span<Particles> sets, const Spec& spec,
-                     const std::function<bool(std::size_t, std::size_t)>& concerns = {});
+                            const mesh::Quadtree* tree = nullptr, FillPart part = {});
 
 } // namespace tremolo::mpm_domain
