@@ -66,7 +66,7 @@ TEST(SlicedSoil, IsOneSoilInTheRunsFile) {
   Domain domain(spec_from_case(scene, 1));
   Stepper stepper(domain, 0.0, test_support::quiet_ground());
   const Snapshot picture(domain);
-  RunOutput output(folder / "", scene, "{}", domain, picture,
+  RunOutput output(folder / "", scene, "{}", domain, domain.sets, picture,
                    std::vector<std::string>(domain.boundary.faces().size(), "left"));
   stepper.step();
   output.after_step(stepper);

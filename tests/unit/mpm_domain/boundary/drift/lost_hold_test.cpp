@@ -26,7 +26,7 @@ LostHold after(double seconds, const Domain& domain, double slip) {
   for (const BoundaryFace& face : faces)
     v.push_back({face.side == Side::right && face.position.y < -5.0 ? 3.0 + slip : 3.0, 0.0});
   const std::vector<eq6::FreeField> free_field(faces.size(), {{3.0, 0.0}, {}});
-  LostHold hold(domain, domain.boundary, true, 1.0);
+  LostHold hold(domain, domain.sets, domain.boundary, true, 1.0);
   constexpr int rows = 50;
   for (int row = 1; row <= rows; ++row)
     hold.add(seconds * row / rows, v, free_field);

@@ -29,7 +29,7 @@ TEST(RunOutput, WritesAFieldOfOnesOwnInEveryFrame) {
   const testing::TemporaryFolder folder;
   const std::vector<std::string> sources(domain.boundary.faces().size(), "wave");
   const Snapshot picture(domain);
-  RunOutput output(folder / "", scene, "{}", domain, picture, sources);
+  RunOutput output(folder / "", scene, "{}", domain, domain.sets, picture, sources);
   Stepper stepper(domain, 0.0, test_support::quiet_ground());
   stepper.step();
   output.after_step(stepper);

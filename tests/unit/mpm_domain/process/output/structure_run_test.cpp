@@ -85,7 +85,7 @@ public:
                     scene::Polygon hole = {})
       : scene_(with_hole(block_case(kind), std::move(hole))), domain_(spec_from_case(scene_, 1)),
         stepper_(at_rest(), 0.0, test_support::quiet_ground()),
-        output_(folder, scene_, "{}", domain_, snapshot_,
+        output_(folder, scene_, "{}", domain_, domain_.sets, snapshot_,
                 std::vector<std::string>(domain_.boundary.faces().size(), "wave")) {}
 
   void step(int count) {
