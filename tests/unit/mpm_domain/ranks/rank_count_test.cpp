@@ -198,8 +198,11 @@ const Model models[] = {
 /// A domain in motion.
 class Scene {
 public:
-  Scene(const Model& model, int threads, mpm_domain::Communicator* ranks)
-      : domain_(spec_of(model, threads)), model_(model) {
+  /// @param together  ranks fill it, where they may
+  Scene(const Model& model, int threads, mpm_domain::Communicator* ranks, bool together = false)
+      : domain_(spec_of(model, threads),
+                together && may_fill_together(spec_of(model, threads)) ? ranks : nullptr),
+        model_(model) {
     for (mpm_domain::Particles& set : domain_.sets)
       for (std::size_t k = 0; k < set.size(); ++k) {
         set.vx[k] = model.drift.x;
@@ -234,7 +237,7 @@ public:
 
 private:
   void start(mpm_domain::Communicator* ranks) {
-    if (ranks != nullptr)
+    if (ranks != nullptr && !domain_.share)
       share_out(domain_, *ranks);
     stepper_.emplace(domain_, 0.9,
                      of_first(test_support::plane_wave_source(domain_, wave_, true, model_.drift), ranks));
@@ -285,7 +288,7 @@ TEST_P(RankCount, DoesNotChangeABit) {
   }
   for (const int threads : thread_counts) {
     SCOPED_TRACE(threads);
-    Scene shared(GetParam(), threads, &ranks);
+    Scene shared(GetParam(), threads, &ranks, threads > 1);
     shared.steps(step_count());
     const SavedState state = shared.state();
     const std::vector<double> ledger = shared.domain().energy.state();

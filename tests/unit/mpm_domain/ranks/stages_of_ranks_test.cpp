@@ -84,6 +84,11 @@ const Site sites[] = {
        spec.gravity = 9.81;
        test_support::make_periodic(spec);
      }},
+    {"WetGround",
+     [](Spec& spec, auto&) {
+       test_support::add_water(spec, materials::Drainage::coupled);
+       test_support::yield(spec);
+     }},
     {"LoadedWetGround", load_wet_ground},
     {"BlockThatGoes", build_and_remove},
 };
@@ -101,7 +106,7 @@ protected:
 
   /// A few steps from rest on, and the state then.
   static SavedState shake(Domain& domain, mpm_domain::Communicator* ranks) {
-    if (ranks != nullptr)
+    if (ranks != nullptr && !domain.share)
       share_out(domain, *ranks);
     mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
     for (int step = 0; step < 5; ++step)
@@ -164,6 +169,33 @@ TEST_P(StagesOfRanks, HaveTheBitsOfOneProcess) {
   expect_same(reactions_alone, reactions);
   replace_constraints(*alone, reactions_alone);
   expect_same(shake(*alone, nullptr), state);
+}
+
+/// Of ground that they have filled together no rank ever has all.
+TEST_P(StagesOfRanks, HaveThemOfGroundThatTheyFillTogether) {
+  TREMOLO_NEED_RANKS();
+  if (!may_fill_together(spec_) || !stages_.empty())
+    GTEST_SKIP() << "each rank builds all of this site";
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  Domain shared(spec_, &ranks);
+  const auto come_to_rest = [this](Domain& domain, mpm_domain::Communicator* of) {
+    StaticStages stages = walk(domain, of);
+    stages.next();
+    const Reactions reactions = stages.finish();
+    replace_constraints(domain, reactions);
+    return reactions;
+  };
+  const Reactions reactions = come_to_rest(shared, &ranks);
+  EXPECT_LT(shared.particle_count(), reactions.particles);
+  const SavedState state = shake(shared, &ranks);
+  if (ranks.rank() != 0)
+    return;
+  Domain alone(spec_);
+  const Reactions reactions_alone = come_to_rest(alone, nullptr);
+  EXPECT_EQ(reactions_alone.particles, alone.particle_count());
+  EXPECT_EQ(reactions.particles, alone.particle_count());
+  expect_same(reactions_alone, reactions);
+  expect_same(shake(alone, nullptr), state);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sites, StagesOfRanks, testing::ValuesIn(sites),

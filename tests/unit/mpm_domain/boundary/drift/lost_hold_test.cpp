@@ -49,7 +49,7 @@ TEST(LostHold, GoesOnFromACheckpoint) {
   before.add_state(numbers);
   test_support::SavedState saved;
   numbers.save("hold", saved);
-  LostHold again(domain, domain.boundary, true, 1.0);
+  LostHold again(domain, domain.sets, domain.boundary, true, 1.0);
   SavedNumbers numbers_again;
   again.add_state(numbers_again);
   numbers_again.restore("hold", saved);
