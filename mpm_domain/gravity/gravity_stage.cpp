@@ -26,8 +26,10 @@ void take_velocities_of_nodes(Domain& domain) {
     std::ranges::fill(set.vx, 0.0);
     std::ranges::fill(set.vy, 0.0);
   }
-  std::ranges::fill(domain.grid.vx_before, 0.0); // FLIP adds what nodes have gained since
-  std::ranges::fill(domain.grid.vy_before, 0.0);
+  for (const auto& [begin, end] : domain.soil_rows)
+    for (NodeField* before :
+         {&domain.grid.vx_before, &domain.grid.vy_before}) // FLIP adds what nodes have gained
+      std::fill(before->data() + begin, before->data() + end, 0.0);
   gather(domain, 0.0, {.velocity = true});
 }
 

@@ -44,7 +44,10 @@ void push(Grid& grid, std::span<const FaceWeight> weights, Vector force, Reactio
 /// Closes the nodes of the base, and adds the reactions of the faces to the forces on water.
 void close(Ground& ground, const Boundary& boundary, Reactions& reactions) {
   Grid& grid = ground.grid;
-  for_group(grid, NodeGroup::openness, [](NodeField& open) { std::ranges::fill(open, 1.0); });
+  for_group(grid, NodeGroup::openness, [&](NodeField& open) {
+    for (const auto& [begin, end] : ground.soil_rows)
+      std::fill(open.data() + begin, open.data() + end, 1.0);
+  });
   for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
     const BoundaryFace& face = boundary.faces()[f];
     if (face.side == Side::base && ground.sets[face.set].traits.flowing)
