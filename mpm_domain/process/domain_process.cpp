@@ -19,6 +19,7 @@
 #include "mpm_domain/process/ranks/particles_at_start.hpp"
 #include "mpm_domain/process/ranks/rank_inputs.hpp"
 #include "mpm_domain/process/ranks/shared_memory.hpp"
+#include "mpm_domain/process/ranks/small_pages.hpp"
 #include "mpm_domain/process/spec_from_case.hpp"
 #include "mpm_domain/ranks/mpi_communicator.hpp"
 #include "mpm_domain/state.hpp"
@@ -280,6 +281,7 @@ std::unique_ptr<Communicator> joined_ranks(int count) {
   if (count == 1)
     return nullptr;
   use_shared_memory_of_run();
+  use_small_pages();
   auto ranks = join_ranks();
   if (const int found = ranks ? ranks->size() : 1; found != count)
     throw std::runtime_error(fmt::format("this is one of {} ranks that mpirun has started, but MPI finds {}: "
