@@ -14,14 +14,14 @@ SharedNodes::SharedNodes(Ground& ground, const Ticks& ticks, const ClockNodes& n
 void SharedNodes::restart() {
   clear_step();
   for (Kept& k : kept_)
-    for (NodeField* field : {&k.steady_x, &k.steady_y})
+    for (std::vector<double>* field : {&k.steady_x, &k.steady_y})
       field->assign(ground_.grid.size(), 0.0);
   steady_known_ = false;
 }
 
 void SharedNodes::require_fit() const {
   for (const Kept& k : kept_)
-    for (const NodeField* field : {&k.steady_x, &k.steady_y})
+    for (const std::vector<double>* field : {&k.steady_x, &k.steady_y})
       if (field->size() != ground_.grid.size())
         throw std::runtime_error(fmt::format("steady forces of {} nodes do not go with a grid of {} nodes",
                                              field->size(), ground_.grid.size()));
@@ -30,8 +30,8 @@ void SharedNodes::require_fit() const {
 /// Clears all state that lasts for one step only.
 void SharedNodes::clear_step() {
   for (Kept& k : kept_)
-    for (NodeField* field : {&k.mass, &k.momentum_x, &k.momentum_y, &k.change_x, &k.change_y, &k.vx_strain,
-                             &k.vy_strain, &k.vx_after, &k.vy_after})
+    for (std::vector<double>* field : {&k.mass, &k.momentum_x, &k.momentum_y, &k.change_x, &k.change_y,
+                                       &k.vx_strain, &k.vy_strain, &k.vx_after, &k.vy_after})
       field->assign(ground_.grid.size(), 0.0);
 }
 

@@ -85,11 +85,11 @@ public:
 private:
   /// State of one clock; all fields cover all nodes of the grid.
   struct Kept {
-    NodeField mass, momentum_x, momentum_y; ///< of the particles of this and all slower clocks
-    NodeField steady_x, steady_y;           ///< of this one's forces, N/m
-    NodeField change_x, change_y;           ///< sum of v+ - v-
-    NodeField vx_strain, vy_strain;         ///< mean of the velocity that strains
-    NodeField vx_after, vy_after;           ///< mean of v+
+    std::vector<double> mass, momentum_x, momentum_y; ///< of the particles of this and all slower clocks
+    std::vector<double> steady_x, steady_y;           ///< of this one's forces, N/m
+    std::vector<double> change_x, change_y;           ///< sum of v+ - v-
+    std::vector<double> vx_strain, vy_strain;         ///< mean of the velocity that strains
+    std::vector<double> vx_after, vy_after;           ///< mean of v+
   };
 
   void require_fit() const;
