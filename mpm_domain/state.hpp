@@ -4,15 +4,18 @@
 // restored from this state continues with the same bits. Grid values are not part of it, since every step
 // computes them from the particles; the grid's extent is, since it may have grown.
 //
-// fields/saved_numbers.hpp says what a Writer and a Reader are.
+// fields/saved_numbers.hpp says what a Writer and a Reader are. For particles a Writer also has write_numbers
+// and write_integers, as results/checkpoint_file.hpp has, which take an array piece by piece.
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/fields/saved_numbers.hpp"
+#include "mpm_domain/particles/all/all_particles.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -20,15 +23,36 @@
 
 namespace tremolo::mpm_domain {
 
-template <class Writer>
-void save(const Particles& set, const std::string& name, Writer& to) {
-  write_integers(to, name + ".id", set.id);
-  set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>& values) {
-    to.write(name + "." + line.name, values);
+/// Writes whole numbers that come as doubles, piece by piece.
+/// @param give  passes all of them to what takes pieces
+template <class Writer, class Give>
+void write_whole_numbers(Writer& to, const std::string& name, std::size_t size, const Give& give) {
+  to.write_integers(name, size, [&](const auto& take) {
+    give([&](std::span<const double> piece) {
+      std::vector<std::uint64_t> whole;
+      whole.reserve(piece.size());
+      for (const double number : piece)
+        whole.push_back(static_cast<std::uint64_t>(number));
+      take(whole);
+    });
   });
-  to.write(name + ".state", set.state);
-  write_integers(to, name + ".tile_start", set.block_start);
-  write_integers(to, name + ".index_of", set.index_of);
+}
+
+/// Saves the particles of set s.
+template <class Writer>
+void save(const AllParticles& all, std::size_t s, const Particles& set, Writer& to) {
+  const std::string name = "soil" + std::to_string(s);
+  const std::size_t size = all.size(s);
+  write_whole_numbers(to, name + ".id", size, [&](const TakeNumbers& take) { all.ids(s, take); });
+  std::size_t number = 0;
+  set.for_fields([&](const ParticleFieldDescription& line, const std::vector<double>&) {
+    to.write_numbers(name + "." + line.name, size, [&](const auto& take) { all.field(s, number, take); });
+    ++number;
+  });
+  to.write_numbers(name + ".state", size * set.state_size, [&](const auto& take) { all.state(s, take); });
+  write_integers(to, name + ".tile_start", all.block_start(s));
+  write_whole_numbers(to, name + ".index_of", all.id_count(s),
+                      [&](const TakeNumbers& take) { all.places(s, take); });
 }
 
 /// @param varies  whether there may be more or fewer particles than at the start
@@ -57,15 +81,15 @@ inline void require_blocks(const Domain& domain, const Particles& set, const std
         start.empty() ? 0 : start.back(), name, start.size() - (start.empty() ? 0 : 1), set.size(), blocks));
 }
 
-/// @param sets  of the whole domain: its own, or those that ranks have given to this one (share_out.hpp)
+/// @param particles  of the domain; where ranks share it, those that rank 0 is shown
 template <class Writer>
-void save(const Domain& domain, std::span<const Particles> sets, Writer& to) {
+void save(const Domain& domain, const AllParticles& particles, Writer& to) {
   const Grid& grid = domain.grid;
   to.write("grid",
            std::vector<double>{grid.x0, grid.y0, static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
   to.write("body_lattices", lattice_state(domain.bodies));
-  for (std::size_t s = 0; s < sets.size(); ++s)
-    save(sets[s], "soil" + std::to_string(s), to);
+  for (std::size_t s = 0; s < domain.sets.size(); ++s)
+    save(particles, s, domain.sets[s], to);
   domain.boundary.save(to);
   domain.earthworks.save(to);
   domain.contact.save(to);
@@ -76,7 +100,7 @@ void save(const Domain& domain, std::span<const Particles> sets, Writer& to) {
 
 template <class Writer>
 void save(const Domain& domain, Writer& to) {
-  save(domain, domain.sets, to);
+  save(domain, AllParticles(domain), to);
 }
 
 template <class Reader>

@@ -1,7 +1,7 @@
 #include "results/checkpoint_file.hpp"
 
+#include "results/hdf5/array_in_pieces.hpp"
 #include "results/hdf5/hdf5_read.hpp"
-#include "results/hdf5/hdf5_write.hpp"
 
 #include <fmt/format.h>
 
@@ -21,22 +21,19 @@ namespace {
 constexpr std::string_view checkpoint_content = "checkpoint";
 constexpr hsize_t chunk_values = 65536;
 
-void write_checked(Place place, const std::string& name, hid_t type, hsize_t size, const void* values) {
-  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  if (size > 0) {
-    const hsize_t chunk = std::min(size, chunk_values);
-    H5Pset_chunk(properties.get(), 1, &chunk);
-    H5Pset_fletcher32(properties.get());
-  }
-  const std::string action = "write " + name;
-  const Handle dataset(checked(H5Dcreate2(place.object, name.c_str(), type, space.get(), H5P_DEFAULT,
-                                          properties.get(), H5P_DEFAULT),
-                               place.file, action),
-                       H5Dclose);
-  if (size > 0) {
-    checked(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), place.file, action);
-  }
+/// @param give  passes all values to `take`, piece by piece
+template <class Number>
+void write_checked(Place place, const std::string& name, hid_t type, hsize_t size,
+                   const GiveNumbers<Number>& give) {
+  ArrayInPieces array(place, name, type, {&size, 1}, {.chunk_rows = size > 0 ? chunk_values : 0});
+  give([&](std::span<const Number> piece) { array.add(piece.data(), piece.size()); });
+  array.finish({});
+}
+
+/// Passes on all values at once.
+template <class Number>
+GiveNumbers<Number> all_of(std::span<const Number> values) {
+  return [values](const auto& take) { take(values); };
 }
 
 } // namespace
@@ -99,18 +96,27 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& file, const Chec
 CheckpointWriter::~CheckpointWriter() = default;
 
 void CheckpointWriter::write(const std::string& name, std::span<const double> values) {
-  implementation_->guarded(
-      [&](Place root) { write_checked(root, name, H5T_NATIVE_DOUBLE, values.size(), values.data()); });
+  write_numbers(name, values.size(), all_of(values));
 }
 
 void CheckpointWriter::write(const std::string& name, std::span<const std::uint64_t> values) {
-  implementation_->guarded(
-      [&](Place root) { write_checked(root, name, H5T_NATIVE_UINT64, values.size(), values.data()); });
+  write_integers(name, values.size(), all_of(values));
+}
+
+void CheckpointWriter::write_numbers(const std::string& name, std::size_t size,
+                                     const GiveNumbers<double>& give) {
+  implementation_->guarded([&](Place root) { write_checked(root, name, H5T_NATIVE_DOUBLE, size, give); });
+}
+
+void CheckpointWriter::write_integers(const std::string& name, std::size_t size,
+                                      const GiveNumbers<std::uint64_t>& give) {
+  implementation_->guarded([&](Place root) { write_checked(root, name, H5T_NATIVE_UINT64, size, give); });
 }
 
 void CheckpointWriter::write_text(const std::string& name, std::string_view text) {
-  implementation_->guarded(
-      [&](Place root) { write_checked(root, name, H5T_NATIVE_CHAR, text.size(), text.data()); });
+  implementation_->guarded([&](Place root) {
+    write_checked(root, name, H5T_NATIVE_CHAR, text.size(), all_of(std::span<const char>(text)));
+  });
 }
 
 void CheckpointWriter::close() {

@@ -3,8 +3,10 @@
 // The state of one participant at one step, an HDF5 file in the folder of its set:
 // RUN/checkpoints/STEP/PARTICIPANT.h5 (docs/checkpoints.md). Named arrays, each chunk with a checksum.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,6 +25,10 @@ struct CheckpointIdentity {
   std::uint64_t step = 0; ///< of the domain, the next one
 };
 
+/// Passes the numbers of an array to `take`, in order, piece by piece.
+template <class Number>
+using GiveNumbers = std::function<void(const std::function<void(std::span<const Number> piece)>& take)>;
+
 /// Writes a file that is on the disk when close() returns.
 ///
 /// @throws std::runtime_error with file and reason where it cannot be written
@@ -37,6 +43,11 @@ public:
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, std::span<const std::uint64_t> values);
   void write_text(const std::string& name, std::string_view text);
+
+  /// Write an array of `size` numbers that are made meanwhile, as if all of them were there.
+  /// @throws std::invalid_argument where more come, or fewer
+  void write_numbers(const std::string& name, std::size_t size, const GiveNumbers<double>& give);
+  void write_integers(const std::string& name, std::size_t size, const GiveNumbers<std::uint64_t>& give);
 
   /// Waits until the disk has everything.
   void close();

@@ -1,6 +1,7 @@
 #include "results/exchange_file.hpp"
 
 #include "results/exchange_layout.hpp"
+#include "results/hdf5/array_in_pieces.hpp"
 #include "results/hdf5/growing_dataset.hpp"
 #include "results/hdf5/hdf5_read.hpp"
 #include "results/run_status.hpp"

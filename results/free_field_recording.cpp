@@ -2,7 +2,7 @@
 
 #include "results/exchange_file.hpp"
 #include "results/exchange_layout.hpp"
-#include "results/hdf5/hdf5_write.hpp"
+#include "results/hdf5/array_in_pieces.hpp"
 
 #include <fmt/format.h>
 

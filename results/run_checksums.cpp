@@ -105,24 +105,34 @@ Checksum checksum_of_series(std::string_view path, std::span<const std::string> 
   return checksum;
 }
 
+FieldsChecksum::FieldsChecksum(std::string_view path, double time) : checksum_{std::string(path)} {
+  checksum_.crc = extended(checksum_.crc, std::span<const double>(&time, 1));
+}
+
+void FieldsChecksum::begin(std::string_view name, std::string_view unit, std::size_t components,
+                           bool integers, std::size_t count) {
+  const std::array shape{components, integers ? sizeof(std::int32_t) : sizeof(double), count};
+  checksum_.crc = extended(extended(checksum_.crc, name), unit);
+  checksum_.crc = extended(checksum_.crc, std::span<const std::size_t>(shape));
+  checksum_.numbers += count;
+}
+
+void FieldsChecksum::add(FieldValues values) {
+  std::visit([&](auto span) { checksum_.crc = extended(checksum_.crc, span); }, values);
+}
+
 Checksum checksum_of_fields(std::string_view path, double time, std::span<const Field> fields) {
   std::vector<const Field*> by_name;
   for (const Field& field : fields)
     by_name.push_back(&field);
   std::ranges::sort(by_name, {}, [](const Field* field) { return field->name; });
-  Checksum checksum{std::string(path)};
-  checksum.crc = extended(checksum.crc, std::span<const double>(&time, 1));
+  FieldsChecksum sum(path, time);
   for (const Field* field : by_name) {
-    checksum.crc = extended(extended(checksum.crc, field->name), field->unit);
-    std::visit(
-        [&](auto values) {
-          const std::array shape{field->components, sizeof values.front(), values.size()};
-          checksum.crc = extended(extended(checksum.crc, std::span<const std::size_t>(shape)), values);
-          checksum.numbers += values.size();
-        },
-        field->values);
+    sum.begin(field->name, field->unit, field->components,
+              std::holds_alternative<std::span<const std::int32_t>>(field->values), value_count(*field));
+    sum.add(field->values);
   }
-  return checksum;
+  return sum.checksum();
 }
 
 std::string checksum_text(std::span<const Checksum> checksums) {

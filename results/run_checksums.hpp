@@ -36,7 +36,25 @@ Checksum checksum_of_series(std::string_view path, std::span<const std::string> 
                             std::span<const std::string> units);
 
 /// Checksum of the fields at one time, over the time and the names, units, components, types and values, in
-/// the order of names.
+/// the order of names, while the values pass by.
+class FieldsChecksum {
+public:
+  FieldsChecksum(std::string_view path, double time);
+
+  /// Begins the next field in the order of names.
+  /// @param count  values that it has
+  void begin(std::string_view name, std::string_view unit, std::size_t components, bool integers,
+             std::size_t count);
+  /// Goes on over values of that field.
+  void add(FieldValues values);
+
+  const Checksum& checksum() const { return checksum_; }
+
+private:
+  Checksum checksum_;
+};
+
+/// That of fields whose values are all here, in any order.
 Checksum checksum_of_fields(std::string_view path, double time, std::span<const Field> fields);
 
 /// A line each: CRC-32, count of numbers, path.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,12 +24,28 @@ struct Attribute {
   AttributeValue value;
 };
 
+using FieldValues = std::variant<std::span<const double>, std::span<const std::int32_t>>;
+
 /// A quantity of all particles of a frame, particle after particle.
 struct Field {
   std::string_view name;
   std::string_view unit;      ///< SI, "1" for none
   std::size_t components = 1; ///< 1 scalar, 2 vector (x, y), 4 stress (xx, yy, zz, xy)
-  std::variant<std::span<const double>, std::span<const std::int32_t>> values; ///< [particles * components]
+  FieldValues values;         ///< [particles * components]
+};
+
+inline std::size_t value_count(const Field& field) {
+  return std::visit([](auto span) { return span.size(); }, field.values);
+}
+
+/// A field whose values are made while it is written, so that they never are all in memory.
+struct StreamedField {
+  std::string_view name;
+  std::string_view unit;
+  std::size_t components = 1;
+  bool integers = false; ///< of 32 bits
+  /// Passes all values to `take`, in order, in pieces of whole particles. It is called once.
+  std::function<void(const std::function<void(FieldValues piece)>& take)> give;
 };
 
 /// Groups that frames may have besides the soil's particles: contact nodes, and particles of elastic

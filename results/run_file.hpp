@@ -94,6 +94,11 @@ public:
   /// @param parts  what the run has beside soil, which may be no points, written as /GROUP/NNNN
   void write_frame(double time, std::span<const Field> fields, std::span<const FramePart> parts = {});
 
+  /// Writes such a frame from values that are made meanwhile: the file and the checksums are those of a frame
+  /// whose values are all there.
+  void write_frame(double time, std::size_t particles, std::vector<StreamedField> fields,
+                   std::span<const FramePart> parts = {});
+
   /// Makes everything written so far durable against the end of this process.
   void flush();
 

@@ -1,4 +1,6 @@
 #include "results/checkpoint_file.hpp"
+#include "results/frame_writer.hpp"
+#include "results/hdf5/array_in_pieces.hpp"
 #include "results/hdf5/growing_dataset.hpp"
 #include "results/hdf5/hdf5_write.hpp"
 #include "results/paraview/vtkhdf.hpp"
@@ -26,6 +28,9 @@ namespace {
 constexpr std::size_t expected_frames = 4096;
 constexpr std::size_t expected_monitors = 64;
 
+/// What the points of a frame are, for messages.
+constexpr std::string_view particle = "particle";
+
 std::string host_name() {
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
@@ -34,30 +39,6 @@ std::string host_name() {
 
 std::string utc_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
-}
-
-std::size_t value_count(const Field& field) {
-  return std::visit([](auto span) { return span.size(); }, field.values);
-}
-
-/// The number of particles or contact nodes, after checking that all fields agree on it.
-/// @param what   "particle"
-/// @param least  number of them that there must be
-std::size_t point_count(std::span<const Field> fields, std::string_view what, std::size_t least) {
-  const auto position = std::ranges::find(fields, "position", &Field::name);
-  if (position == fields.end() || position->components != 2 || value_count(*position) < 2 * least) {
-    throw std::invalid_argument(
-        fmt::format("a frame needs the field position with 2 components and at least {} {}s", least, what));
-  }
-  const std::size_t points = value_count(*position) / 2;
-  for (const Field& field : fields) {
-    if (value_count(field) != points * field.components) {
-      throw std::invalid_argument(
-          fmt::format("field {} has {} values where {} {}s with {} components need {}", field.name,
-                      value_count(field), points, what, field.components, points * field.components));
-    }
-  }
-  return points;
 }
 
 /// A growing array of /boundary, and its rows that wait for a flush.
@@ -222,41 +203,38 @@ public:
     }
   }
 
-  /// The frame is written and flushed before anything refers to it; then one link makes it part of the run.
-  /// Its parts beside the soil are linked before the frame itself is.
-  void write_frame(double time, std::span<const Field> fields, std::span<const FramePart> parts) {
+  /// The frame and its parts beside the soil are written and flushed before anything refers to them; then a
+  /// link each makes them part of the run, the frame last.
+  void write_frame(double time, const PointFields& soil, std::span<const FramePart> parts) {
     if (!xdmf_) {
       throw std::invalid_argument(fmt::format("{}: this file takes no frames", path_.string()));
     }
-    const std::size_t particles = point_count(fields, "particle", 1);
     const std::string name = fmt::format("{:04}", frame_count_);
+    std::vector<UnlinkedFields> beside;
+    std::vector<std::string_view> groups;
     for (const FramePart& part : parts) {
       if (part.fields.empty()) {
         continue;
       }
-      const std::size_t points = point_count(part.fields, fmt::format("point of {}", part.group), 0);
-      auto group = parts_.find(part.group);
-      if (group == parts_.end()) {
-        group =
-            parts_.emplace(part.group, create_group(root(), std::string(part.group), expected_frames)).first;
-      }
-      publish(unlinked_frame(time, part.fields, points), group->second, name);
+      const PointFields points = all_at_once(part.fields, fmt::format("point of {}", part.group), 0);
+      groups.push_back(part.group);
+      beside.push_back(write_unlinked_fields(root(), fmt::format("/{}/{}", part.group, name), time, points));
     }
-    publish(unlinked_frame(time, fields, particles), frames_, name);
-    frames_written_.push_back(checksum_of_fields("/frames/" + name, time, fields));
-    for (const FramePart& part : parts) {
-      if (!part.fields.empty()) {
-        frames_written_.push_back(
-            checksum_of_fields(fmt::format("/{}/{}", part.group, name), time, part.fields));
-      }
+    const UnlinkedFields frame = write_unlinked_fields(root(), "/frames/" + name, time, soil);
+    for (std::size_t i = 0; i < beside.size(); ++i) {
+      publish(beside[i].group, group_of_part(groups[i]), name);
+    }
+    publish(frame.group, frames_, name);
+    frames_written_.push_back(frame.checksum);
+    for (const UnlinkedFields& part : beside) {
+      frames_written_.push_back(part.checksum);
     }
     ++frame_count_;
     std::vector<XdmfField> xdmf_fields;
-    for (const Field& field : fields) {
-      xdmf_fields.push_back({std::string(field.name), field.components,
-                             std::holds_alternative<std::span<const double>>(field.values)});
+    for (const StreamedField& field : soil.fields) {
+      xdmf_fields.push_back({std::string(field.name), field.components, !field.integers});
     }
-    xdmf_->add_frame(time, "/frames/" + name, particles, xdmf_fields);
+    xdmf_->add_frame(time, "/frames/" + name, soil.points, xdmf_fields);
   }
 
   void table(std::string_view path, const Table& table) {
@@ -315,21 +293,13 @@ private:
     GrowingDataset dataset;
   };
 
-  /// A group of fields at a time that belongs to no other group yet.
-  Handle unlinked_frame(double time, std::span<const Field> fields, std::size_t points) const {
-    Handle group(checked(H5Gcreate_anon(file_.get(), group_properties(fields.size()).get(), H5P_DEFAULT),
-                         path_, fmt::format("create frame {:04}", frame_count_)),
-                 H5Gclose);
-    const Place place{group.get(), path_};
-    write_attribute(place, "time", time);
-    for (const Field& field : fields) {
-      std::vector<hsize_t> shape{points};
-      if (field.components > 1) {
-        shape.push_back(field.components);
-      }
-      write_array(place, field.name, shape, field.values, field.unit, true);
+  /// The group of what frames have beside soil, created with the first of it.
+  const Handle& group_of_part(std::string_view name) {
+    auto group = parts_.find(name);
+    if (group == parts_.end()) {
+      group = parts_.emplace(name, create_group(root(), std::string(name), expected_frames)).first;
     }
-    return group;
+    return group->second;
   }
 
   void publish(const Handle& object, const Handle& parent, const std::string& name) {
@@ -392,7 +362,17 @@ void RunWriter::append_boundary(double time, const BoundarySample& exchange) {
 }
 
 void RunWriter::write_frame(double time, std::span<const Field> fields, std::span<const FramePart> parts) {
-  implementation_->guarded([&] { implementation_->write_frame(time, fields, parts); });
+  implementation_->guarded(
+      [&] { implementation_->write_frame(time, all_at_once(fields, particle, 1), parts); });
+}
+
+void RunWriter::write_frame(double time, std::size_t particles, std::vector<StreamedField> fields,
+                            std::span<const FramePart> parts) {
+  const PointFields soil{std::string(particle), particles, std::move(fields)};
+  implementation_->guarded([&] {
+    require_positions(soil, 1);
+    implementation_->write_frame(time, soil, parts);
+  });
 }
 
 void RunWriter::flush() {

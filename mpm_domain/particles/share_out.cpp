@@ -233,6 +233,31 @@ Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> s
   return together;
 }
 
+/// A set of the same soil, to be filled; with the ids of all particles.
+Particles without_particles(const Particles& set) {
+  Particles empty;
+  empty.soil = set.soil;
+  empty.soil_index = set.soil_index;
+  empty.body = set.body;
+  empty.level = set.level;
+  empty.cell_size = set.cell_size;
+  empty.half_size = set.half_size;
+  empty.law = set.law;
+  empty.damping_time = set.damping_time;
+  empty.relaxation = set.relaxation;
+  empty.first_memory = set.first_memory;
+  empty.density = set.density;
+  empty.weight_share = set.weight_share;
+  empty.water = set.water;
+  empty.drains = set.drains;
+  empty.state_size = set.state_size;
+  empty.traits = set.traits;
+  empty.more_fields = set.more_fields;
+  empty.more.resize(set.more_fields.size());
+  empty.index_of.resize(set.index_of.size());
+  return empty;
+}
+
 std::vector<Parcel> empty_parcels(const Communicator& ranks) {
   return std::vector<Parcel>(static_cast<std::size_t>(ranks.size()));
 }
@@ -316,26 +341,23 @@ void move_between_ranks(Ground& ground) {
 GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t more,
                          const AddNumbers& add_numbers) {
   Communicator& ranks = *ground.share->ranks;
-  std::vector<Parcel> parcels = empty_parcels(ranks);
   std::vector<Parcel> first(1);
   for (std::size_t s = 0; s < ground.sets.size(); ++s)
     pack(
-        ground.sets[s], [&](std::size_t k, std::size_t) { return !wanted || wanted(s, k) ? 0 : no_rank; },
-        [&](std::size_t k, Parcel& parcel) {
-          if (add_numbers)
-            add_numbers(s, k, parcel);
-        },
-        first);
+        ground.sets[s], [&](std::size_t k, std::size_t) { return wanted(s, k) ? 0 : no_rank; },
+        [&](std::size_t k, Parcel& parcel) { add_numbers(s, k, parcel); }, first);
+  std::vector<Parcel> parcels = empty_parcels(ranks);
   parcels.front() = std::move(first.front());
   const std::vector<Parcel> received = ranks.swap(parcels);
   GatheredSets gathered;
   if (ranks.rank() != 0)
     return gathered;
-  gathered.sets = ground.sets;
   std::vector<std::size_t> next(received.size(), 0);
-  for (Particles& set : gathered.sets)
+  for (const Particles& set : ground.sets) {
+    Particles& copy = gathered.sets.emplace_back(without_particles(set));
     gathered.numbers.push_back(
-        unpack(set, ground.block_count() + ground.across_block_count(), received, more, next));
+        unpack(copy, ground.block_count() + ground.across_block_count(), received, more, next));
+  }
   return gathered;
 }
 

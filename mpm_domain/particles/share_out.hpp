@@ -38,9 +38,9 @@ using Wanted = std::function<bool(std::size_t set, std::size_t k)>;
 /// Adds numbers that go with a particle, as many for each.
 using AddNumbers = std::function<void(std::size_t set, std::size_t k, std::vector<double>& to)>;
 
-/// Gives particles of the whole domain to rank 0: all, or those that are wanted. All ranks call it.
+/// Gives the particles of the whole domain that are wanted to rank 0. All ranks call it.
 /// @param more  how many numbers `add_numbers` adds
-GatheredSets gather_sets(const Ground& ground, const Wanted& wanted = {}, std::size_t more = 0,
-                         const AddNumbers& add_numbers = {});
+GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t more,
+                         const AddNumbers& add_numbers);
 
 } // namespace tremolo::mpm_domain

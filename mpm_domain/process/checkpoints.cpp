@@ -20,14 +20,14 @@ bool Checkpoints::due(long step) const {
   return coupler::seconds_since(last_) >= wanted.every_wall;
 }
 
-void Checkpoints::save(coupler::DomainClient& client, Domain& domain, std::span<const Particles> sets,
+void Checkpoints::save(coupler::DomainClient& client, Domain& domain, const AllParticles& particles,
                        const Stepper& stepper, RunOutput& output) {
   try {
     client.checkpoint(stepper.time(), [&](results::CheckpointWriter& file) {
       output.save(file);
       StaticStages::save_count(static_stage_count(scene_), file);
       domain.boundary.save_rest(file);
-      mpm_domain::save(domain, sets, file);
+      mpm_domain::save(domain, particles, file);
       stepper.save(file);
     });
   } catch (const coupler::Aborted&) {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "coupler/participant.hpp"
+#include "mpm_domain/particles/all/all_particles.hpp"
 #include "mpm_domain/process/output/run_output.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "results/checkpoint_file.hpp"
 #include "scene/case.hpp"
 
 #include <cstdio>
-#include <span>
 
 namespace tremolo::mpm_domain {
 
@@ -20,8 +20,8 @@ public:
   [[nodiscard]] bool due(long step) const;
 
   /// Saves one. A disk that does not take it is a warning: the run goes on, and so does the last checkpoint.
-  /// @param sets  of the whole domain
-  void save(coupler::DomainClient& client, Domain& domain, std::span<const Particles> sets,
+  /// @param particles  of the domain; where ranks share it, those that rank 0 is shown
+  void save(coupler::DomainClient& client, Domain& domain, const AllParticles& particles,
             const Stepper& stepper, RunOutput& output);
 
 private:

@@ -15,6 +15,7 @@
 #include "mpm_domain/process/column_source.hpp"
 #include "mpm_domain/process/come_to_rest.hpp"
 #include "mpm_domain/process/coupled_faces.hpp"
+#include "mpm_domain/process/output/frames/soil_frame.hpp"
 #include "mpm_domain/process/output/run_output.hpp"
 #include "mpm_domain/process/ranks/particles_at_start.hpp"
 #include "mpm_domain/process/ranks/rank_inputs.hpp"
@@ -36,6 +37,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -85,10 +87,12 @@ public:
         checkpoints_(scene) {}
 
   RunOutput& output() { return output_; }
-  /// Fields of the snapshot that are needed after a step.
+  /// What is needed of the snapshot after a step.
   Snapshot::Extent needs(const Stepper& stepper) {
     saves_ = stepper.time() < end_ && (checkpoints_.due(stepper.steps()) || stepper.time() >= stop_.time);
-    return saves_ ? Snapshot::Extent::all : output_.needs(stepper);
+    Snapshot::Extent needs = output_.needs(stepper);
+    needs.all = needs.all || saves_;
+    return needs;
   }
   void after_step(const Stepper& stepper) {
     output_.after_step(stepper);
@@ -104,12 +108,22 @@ public:
   }
   /// Makes a checkpoint.
   void save(const Stepper& stepper) {
-    checkpoints_.save(client_, domain_, snapshot_.sets(), stepper, output_);
+    checkpoints_.save(client_, domain_, snapshot_.all(), stepper, output_);
+  }
+  /// What is needed of the snapshot for the last state.
+  Snapshot::Extent needs_to_finish(const Stepper& stepper) const {
+    if (ends_early())
+      return {.all = stepper.steps() == 0};
+    return output_.needs_to_finish(stepper);
+  }
+  void write_last(const Stepper& stepper) {
+    if (!ends_early())
+      output_.write_last(stepper);
+    else if (stepper.steps() == 0)
+      output_.write_before_shaking(stepper);
   }
   void finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds) {
-    if (stop_.time < end_) {
-      if (stepper.steps() == 0)
-        output_.write_before_shaking(stepper);
+    if (ends_early()) {
       const std::string reason = ended_after(stop_.stage);
       fmt::print("note: {}\n", reason);
       abort(reason);
@@ -129,6 +143,9 @@ public:
   }
 
 private:
+  /// Whether the run is to end after a stage that is not its last.
+  bool ends_early() const { return stop_.time < end_; }
+
   /// Reports what a user should know of the whole run.
   void warn() const {
     if (const auto note = output_.note())
@@ -157,25 +174,26 @@ bool pressure_is_gone(const Stepper& stepper, const scene::Case& scene) {
          largest_pressure_ratio(stepper.domain()) <= *last.rest->until_ratio;
 }
 
-/// Steps to the end. All ranks take part in all pictures.
+/// Steps to the end, and writes what is due. All ranks take part in what the first one writes.
 void step_to_end(Stepper& stepper, Snapshot& snapshot, RankZeroDriver* driver, const scene::Case& scene,
                  double stop) {
-  if (!(stepper.time() < stop)) {
-    snapshot.take(driver != nullptr ? Snapshot::Extent::all : Snapshot::Extent::nothing);
-    if (driver != nullptr)
-      driver->save(stepper);
-  }
+  const auto show = [&](Snapshot::Extent wanted, const std::function<void()>& write) {
+    snapshot.show(
+        wanted, [&] { return SoilFrame(stepper.domain(), stepper, scene).quantities(); }, write);
+  };
+  if (!(stepper.time() < stop))
+    show({.all = true}, [&] { driver->save(stepper); });
   while (stepper.time() < stop && !pressure_is_gone(stepper, scene)) {
     stepper.step();
-    snapshot.take(driver != nullptr ? driver->needs(stepper) : Snapshot::Extent::nothing);
-    if (driver != nullptr)
-      driver->after_step(stepper);
+    show(driver != nullptr ? driver->needs(stepper) : Snapshot::Extent{},
+         [&] { driver->after_step(stepper); });
   }
   if (driver != nullptr && stepper.time() < stop)
     fmt::print("note: the {} ends at {:.6g} s: no excess pore pressure ratio is above {:g}\n",
                scene.timed.back().name, stepper.time_of_soil(stepper.time()),
                *scene.timed.back().rest->until_ratio);
-  snapshot.take(driver != nullptr ? driver->output().needs_to_finish(stepper) : Snapshot::Extent::nothing);
+  show(driver != nullptr ? driver->needs_to_finish(stepper) : Snapshot::Extent{},
+       [&] { driver->write_last(stepper); });
 }
 
 /// @param client  null on all ranks but the first

@@ -46,29 +46,35 @@ void Snapshot::follow(const std::vector<ParticleName>& followed) {
     followed_[names[i]][names[i + 1]] = true;
 }
 
-Snapshot::Extent Snapshot::take(Extent wanted) {
+void Snapshot::show(Extent wanted, const std::function<std::vector<ShownQuantity>()>& shown,
+                    const std::function<void()>& read) {
   if (!ground_.share)
-    return wanted;
-  double number = static_cast<double>(wanted);
-  ground_.share->ranks->follow_first({&number, 1});
-  wanted = static_cast<Extent>(static_cast<int>(number));
-  if (wanted == Extent::nothing)
-    return wanted;
-  Wanted is_wanted;
-  if (wanted == Extent::followed)
-    is_wanted = [&](std::size_t set, std::size_t k) {
-      const std::uint32_t id = ground_.sets[set].id[k]; // particles that have been cut are not among them
-      return id < followed_[set].size() && followed_[set][id];
-    };
-  take_at_skirt(ground_, std::array{&NodeFields::vx_after, &NodeFields::vy_after, &NodeFields::ax,
-                                    &NodeFields::ay}); // readings take in the nodes beside
+    return read();
+  std::array<double, 2> flags{wanted.followed ? 1.0 : 0.0, wanted.all ? 1.0 : 0.0};
+  ground_.share->ranks->follow_first(flags);
+  wanted = {flags[0] != 0.0, flags[1] != 0.0};
+  if (wanted.followed || wanted.all)
+    take_at_skirt(ground_, std::array{&NodeFields::vx_after, &NodeFields::vy_after, &NodeFields::ax,
+                                      &NodeFields::ay}); // readings take in the nodes beside
+  if (wanted.followed)
+    take_followed();
+  if (wanted.all)
+    all_.show(shown(), read);
+  else if (ground_.share->ranks->rank() == 0)
+    read();
+}
+
+void Snapshot::take_followed() {
+  const auto is_wanted = [&](std::size_t set, std::size_t k) {
+    const std::uint32_t id = ground_.sets[set].id[k]; // particles that have been cut are not among them
+    return id < followed_[set].size() && followed_[set][id];
+  };
   copy_ = gather_sets(ground_, is_wanted, numbers_of_motion,
                       [&](std::size_t set, std::size_t k, std::vector<double>& to) {
                         const Vector v = particle_velocity(ground_, ground_.sets[set], k);
                         const Vector a = particle_acceleration(ground_, ground_.sets[set], k);
                         to.insert(to.end(), {v.x, v.y, a.x, a.y});
                       });
-  return wanted;
 }
 
 } // namespace tremolo::mpm_domain

@@ -1,13 +1,15 @@
 #pragma once
 
-// Particles as output sees them: those of the domain or, where ranks share it, a copy on rank 0 of all that
-// the ranks have, or of those that monitors follow. Ranks bring it up to date when something is to be
-// written.
+// Particles as output sees them. Histories take those that monitors follow: those of the domain or, where
+// ranks share it, a copy on rank 0, brought up to date when a row is to be written. Frames and checkpoints
+// take all, piece by piece.
 
+#include "mpm_domain/particles/all/all_particles.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,9 +24,9 @@ struct ParticleName {
 class Snapshot {
 public:
   /// @param domain outlives this; shared out later, if at all
-  explicit Snapshot(Ground& ground) : ground_(ground) {}
+  explicit Snapshot(Ground& ground) : ground_(ground), all_(ground) {}
 
-  /// A particle that is not in it has no place in index_of.
+  /// Those that are followed. A particle that is not in it has no place in index_of.
   std::span<const Particles> sets() const {
     return ground_.share ? std::span<const Particles>(copy_.sets) : std::span<const Particles>(ground_.sets);
   }
@@ -33,16 +35,28 @@ public:
   Vector velocity(std::size_t set, std::size_t k) const;
   Vector acceleration(std::size_t set, std::size_t k) const;
 
-  enum class Extent { nothing, followed, all };
+  /// All particles; where ranks share the domain, while show() is called for them.
+  const AllParticles& all() const { return all_; }
 
   /// Passes to all ranks which particles are followed. That of rank 0 counts; all ranks call it once.
   void follow(const std::vector<ParticleName>& followed);
-  /// Brings the snapshot up to date as far as rank 0 wants it; after a step. All ranks call it.
-  /// @returns what rank 0 wants
-  Extent take(Extent wanted);
+
+  struct Extent {
+    bool followed = false;
+    bool all = false;
+  };
+  /// Lets rank 0 read as much as it wants, after a step. All ranks call it.
+  /// @param wanted  that of rank 0 counts
+  /// @param shown   the quantities that it may read of all particles (all_particles.hpp)
+  /// @param read    called on rank 0
+  void show(Extent wanted, const std::function<std::vector<ShownQuantity>()>& shown,
+            const std::function<void()>& read);
 
 private:
+  void take_followed();
+
   Ground& ground_;
+  AllParticles all_;
   std::vector<std::vector<bool>> followed_; ///< by set and id
   GatheredSets copy_;                       ///< with their velocities and accelerations
 };

@@ -1,7 +1,5 @@
 #include "results/hdf5/hdf5_write.hpp"
 
-#include "base/dataset_size.hpp"
-
 #include <fmt/format.h>
 
 #include <fcntl.h>
@@ -16,9 +14,6 @@
 
 namespace tremolo::results {
 namespace {
-
-/// Rows of a compressed chunk: large enough to compress well, small enough to be read in part.
-constexpr hsize_t chunk_rows = 65536;
 
 /// Strings of equal length, one after the other.
 std::string packed(std::span<const std::string> strings, std::size_t length) {
@@ -207,27 +202,6 @@ Handle create_group_of_long_attributes(Place place, std::string_view name, std::
   // one.
   H5Pset_attr_creation_order(properties.get(), H5P_CRT_ORDER_TRACKED);
   return group_with(place, name, properties);
-}
-
-void write_array(Place place, std::string_view name, std::span<const hsize_t> shape,
-                 const std::variant<std::span<const double>, std::span<const std::int32_t>>& values,
-                 std::string_view unit, bool compress) {
-  const int rank = static_cast<int>(shape.size());
-  const Handle space(H5Screate_simple(rank, shape.data(), nullptr), H5Sclose);
-  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  const std::size_t bytes = std::visit([](auto span) { return span.size_bytes(); }, values);
-  if (compress && bytes >= fewest_chunk_bytes) {
-    std::vector<hsize_t> chunk(shape.begin(), shape.end());
-    chunk[0] = std::min(chunk[0], chunk_rows);
-    H5Pset_chunk(properties.get(), rank, chunk.data());
-    H5Pset_shuffle(properties.get());
-    H5Pset_deflate(properties.get(), 1);
-    H5Pset_fletcher32(properties.get());
-  }
-  const bool real = std::holds_alternative<std::span<const double>>(values);
-  const void* data = std::visit([](auto span) { return static_cast<const void*>(span.data()); }, values);
-  write_dataset(place, name, real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT32, space.get(), properties.get(), data,
-                unit);
 }
 
 Handle write_unlinked_table(Place place, const Table& table) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Writing of attributes, arrays and strings. Strings have a fixed length (UTF-8, padded with NUL): they live
+// Writing of attributes, tables and strings. Strings have a fixed length (UTF-8, padded with NUL): they live
 // where they are declared and can be overwritten in place, which is what keeps a file readable when its
 // writer dies.
 
@@ -39,12 +39,6 @@ Handle create_group(Place place, std::string_view name, std::size_t expected_lin
 
 /// A group some of whose attributes may take more than the 64 KiB that HDF5 has for one by default.
 Handle create_group_of_long_attributes(Place place, std::string_view name, std::size_t expected_links);
-
-/// Writes an array of `shape`; `compress` shuffles, deflates and checksums it in chunks, where that makes it
-/// smaller.
-void write_array(Place place, std::string_view name, std::span<const hsize_t> shape,
-                 const std::variant<std::span<const double>, std::span<const std::int32_t>>& values,
-                 std::string_view unit, bool compress);
 
 /// Writes a table as a new group that belongs to no other group yet, so that linking it makes all of it
 /// visible at once.

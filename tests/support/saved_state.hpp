@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,14 @@ public:
   void write(const std::string& name, const std::vector<double>& values) { add(numbers_, name, values); }
   void write(const std::string& name, const std::vector<std::uint64_t>& values) {
     add(integers_, name, values);
+  }
+  template <class Give>
+  void write_numbers(const std::string& name, std::size_t size, const Give& give) {
+    add_pieces(numbers_, name, size, give);
+  }
+  template <class Give>
+  void write_integers(const std::string& name, std::size_t size, const Give& give) {
+    add_pieces(integers_, name, size, give);
   }
   const std::vector<double>& numbers(const std::string& name) const { return numbers_.at(name); }
   const std::vector<std::uint64_t>& integers(const std::string& name) const { return integers_.at(name); }
@@ -36,6 +46,14 @@ private:
   template <class Number>
   static void add(Arrays<Number>& arrays, const std::string& name, const std::vector<Number>& values) {
     EXPECT_TRUE(arrays.emplace(name, values).second) << "saved twice: " << name;
+  }
+  template <class Number, class Give>
+  static void add_pieces(Arrays<Number>& arrays, const std::string& name, std::size_t size,
+                         const Give& give) {
+    std::vector<Number> values;
+    give([&](std::span<const Number> piece) { values.insert(values.end(), piece.begin(), piece.end()); });
+    EXPECT_EQ(values.size(), size) << name;
+    add(arrays, name, values);
   }
   template <class Number>
   static void expect_same(const Arrays<Number>& one, const Arrays<Number>& other) {

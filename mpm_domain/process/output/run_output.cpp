@@ -127,16 +127,12 @@ void RunOutput::add_followers(const std::string& path, const std::vector<Followe
 
 Snapshot::Extent RunOutput::needs(const Stepper& stepper) const {
   const double time = stepper.time_of_soil();
-  if (time >= next_frame_)
-    return Snapshot::Extent::all;
-  return time >= next_history_ ? Snapshot::Extent::followed : Snapshot::Extent::nothing;
+  return {time >= next_history_, time >= next_frame_};
 }
 
 Snapshot::Extent RunOutput::needs_to_finish(const Stepper& stepper) const {
   const double time = stepper.time_of_soil();
-  if (time > last_frame_)
-    return Snapshot::Extent::all;
-  return time > last_history_ ? Snapshot::Extent::followed : Snapshot::Extent::nothing;
+  return {time > last_history_, time > last_frame_};
 }
 
 void RunOutput::after_step(const Stepper& stepper) {
@@ -179,15 +175,15 @@ void RunOutput::write_history(const Stepper& stepper) {
 }
 
 void RunOutput::write_frame(const Stepper& stepper, double time, const ContactFrame& contact) {
-  const SoilFrame soil(domain_, snapshot_, stepper, scene_);
-  const StructureFrame structures(domain_, snapshot_, stepper);
+  const SoilFrame soil(domain_, stepper, scene_);
+  const StructureFrame structures(domain_, stepper);
   last_frame_ = time;
   bodies_.write_outlines(stepper);
   const std::vector<results::Field> of_contact =
       bodies_.any() ? contact.fields() : std::vector<results::Field>{};
   const std::vector<results::Field> of_structures = structures.fields(scene_);
   writer_.write_frame(
-      last_frame_, soil.fields(),
+      last_frame_, soil.particle_count(snapshot_.all()), soil.fields(snapshot_.all()),
       std::vector<results::FramePart>{{"contact", of_contact}, {"structures", of_structures}});
 }
 
@@ -292,12 +288,16 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
   writer_.write_frame(before.frame_times().at(frame), particles.fields(), written);
 }
 
+void RunOutput::write_last(const Stepper& stepper) {
+  const auto [history, frame] = needs_to_finish(stepper);
+  if (history)
+    write_history(stepper);
+  if (frame)
+    write_frame(stepper, stepper.time_of_soil(), bodies_.contact(stepper));
+}
+
 std::optional<std::string> RunOutput::finish(const Stepper& stepper, double gravity_seconds,
                                              double waiting_seconds) {
-  if (stepper.time_of_soil() > last_history_)
-    write_history(stepper);
-  if (stepper.time_of_soil() > last_frame_)
-    write_frame(stepper, stepper.time_of_soil(), bodies_.contact(stepper));
   std::vector<std::string> names{"gravity stage", "waiting for the exchange"};
   std::vector<double> seconds{gravity_seconds, waiting_seconds};
   for (const PassTime& pass : stepper.times()) {

@@ -52,7 +52,10 @@ public:
     props_.write_history(stepper);
   }
 
-  /// Writes the last state and the timings, and closes the file as complete.
+  /// Writes the last state, unless that has been done.
+  void write_last(const Stepper& stepper);
+
+  /// Writes the timings, and closes the file as complete.
   /// @return what is still missing from the file, as a sentence
   std::optional<std::string> finish(const Stepper& stepper, double gravity_seconds, double waiting_seconds);
 

@@ -1,10 +1,12 @@
 #include "mpm_domain/process/output/frames/soil_frame.hpp"
 
 #include "mpm_domain/process/output/followed_point.hpp"
+#include "mpm_domain/transfer/gather.hpp"
 
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 #include <utility>
 
 namespace tremolo::mpm_domain {
@@ -27,16 +29,15 @@ std::vector<materials::StateVariable> all_state_variables(const Domain& domain) 
 
 /// One of the soil's sets at the time of a frame.
 struct FrameSet {
-  const Snapshot& snapshot;
+  const Domain& domain;
   const Stepper& stepper;
   std::size_t number;
 
-  const Particles& particles() const { return snapshot.sets()[number]; }
+  const Particles& particles() const { return domain.sets[number]; }
   double speed_of_time() const { return stepper.speed_of_time(); }
 };
 
-/// Appends the values of particle k.
-using Values = std::function<void(std::size_t k, std::vector<double>& to)>;
+using Values = NumbersOfParticle;
 using ValuesOfSet = std::function<Values(const FrameSet& set)>;
 
 void append(std::vector<double>& to, const Vector& v) {
@@ -57,13 +58,13 @@ Values displacement(const FrameSet& set) {
 
 Values velocity(const FrameSet& set) {
   return [set](std::size_t k, auto& to) {
-    append(to, set.snapshot.velocity(set.number, k) / set.speed_of_time());
+    append(to, particle_velocity(set.domain, set.particles(), k) / set.speed_of_time());
   };
 }
 
 Values acceleration(const FrameSet& set) {
   return [set, n = set.speed_of_time()](std::size_t k, auto& to) {
-    append(to, set.snapshot.acceleration(set.number, k) / (n * n));
+    append(to, particle_acceleration(set.domain, set.particles(), k) / (n * n));
   };
 }
 
@@ -145,7 +146,7 @@ struct Column {
 };
 
 /// Finds the arrays that the table of particle fields gives to frames. The velocity is not among them, since
-/// frames show that of the snapshot.
+/// frames show that of particle_velocity().
 std::vector<Column> carried_columns(const Domain& domain, const scene::Case& scene) {
   struct Named {
     std::string name, unit;
@@ -203,39 +204,51 @@ bool is_wanted(const scene::Case& scene, std::string_view name) {
   return !field || wants(scene, *field);
 }
 
-SoilFrame::SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper,
-                     const scene::Case& scene) {
+SoilFrame::SoilFrame(const Domain& domain, const Stepper& stepper, const scene::Case& scene)
+    : domain_(domain) {
   const std::vector<std::string> names = soil_names(domain.spec);
-  const std::vector<Column> columns = columns_of(domain, scene);
-  std::size_t particles = 0;
-  for (const Particles& set : snapshot.sets_of_soil())
-    particles += set.size();
-  soil_.reserve(particles);
-  for (const Column& column : columns)
-    arrays_.emplace_back(Array{column.name, column.unit, column.components, {}})
-        .values.reserve(column.components * particles);
-  for (std::size_t s = 0; s < domain.soil_sets; ++s) {
-    const FrameSet set{snapshot, stepper, s};
-    const auto name =
-        static_cast<std::int32_t>(std::ranges::find(names, set.particles().soil) - names.begin());
-    std::vector<Values> values;
-    values.reserve(columns.size());
-    for (const Column& column : columns)
-      values.push_back(column.values(set));
-    for (const std::uint32_t k : set.particles().index_of) {
-      if (k == Particles::nowhere)
-        continue;
-      soil_.push_back(name);
-      for (std::size_t c = 0; c < values.size(); ++c)
-        values[c](k, arrays_[c].values);
-    }
-  }
+  for (const Particles& set : domain.sets_of_soil())
+    soil_of_set_.push_back(static_cast<std::int32_t>(std::ranges::find(names, set.soil) - names.begin()));
+  for (Column& column : columns_of(domain, scene))
+    arrays_.push_back({column.name,
+                       column.unit,
+                       {.number = arrays_.size(),
+                        .width = column.components,
+                        .of_set = [&domain, &stepper, values = std::move(column.values)](std::size_t set) {
+                          return values({domain, stepper, set});
+                        }}});
 }
 
-std::vector<results::Field> SoilFrame::fields() const {
-  std::vector<results::Field> fields{{"soil", "1", 1, soil_}};
+std::vector<ShownQuantity> SoilFrame::quantities() const {
+  std::vector<ShownQuantity> quantities;
   for (const Array& array : arrays_)
-    fields.push_back({array.name, array.unit, array.components, array.values});
+    quantities.push_back(array.quantity);
+  return quantities;
+}
+
+std::size_t SoilFrame::particle_count(const AllParticles& all) const {
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < domain_.soil_sets; ++s)
+    count += all.size(s);
+  return count;
+}
+
+std::vector<results::StreamedField> SoilFrame::fields(const AllParticles& all) const {
+  std::vector<results::StreamedField> fields;
+  fields.push_back({"soil", "1", 1, true, [&](const auto& take) {
+                      for (std::size_t s = 0; s < domain_.soil_sets; ++s)
+                        for (std::size_t left = all.size(s); left > 0;) {
+                          const std::vector<std::int32_t> piece(std::min(left, particles_at_once),
+                                                                soil_of_set_[s]);
+                          take(std::span(piece));
+                          left -= piece.size();
+                        }
+                    }});
+  for (const Array& array : arrays_)
+    fields.push_back({array.name, array.unit, array.quantity.width, false, [&](const auto& take) {
+                        for (std::size_t s = 0; s < domain_.soil_sets; ++s)
+                          all.in_order_of_ids(s, array.quantity, take);
+                      }});
   return fields;
 }
 

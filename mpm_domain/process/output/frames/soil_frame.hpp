@@ -1,13 +1,15 @@
 #pragma once
 
-// A frame of the soil: its particles, one soil after the other, each in the order of their ids.
+// A frame of the soil: its particles, one soil after the other, each in the order of their ids. They are
+// worked out while the frame is written, where ranks share the domain each its own.
 
 #include "mpm_domain/domain.hpp"
+#include "mpm_domain/particles/all/all_particles.hpp"
 #include "mpm_domain/step/stepper.hpp"
-#include "mpm_domain/transfer/snapshot.hpp"
 #include "results/run_data.hpp"
 #include "scene/case.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -23,21 +25,26 @@ bool is_wanted(const scene::Case& scene, std::string_view name);
 
 class SoilFrame {
 public:
-  SoilFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper, const scene::Case& scene);
+  /// All ranks make it alike. What it is made from outlives it.
+  SoilFrame(const Domain& domain, const Stepper& stepper, const scene::Case& scene);
 
-  /// They refer to the arrays here.
-  std::vector<results::Field> fields() const;
+  /// The quantities that its fields are made from.
+  std::vector<ShownQuantity> quantities() const;
+
+  std::size_t particle_count(const AllParticles& all) const;
+  /// The fields, which read from here and from all particles.
+  std::vector<results::StreamedField> fields(const AllParticles& all) const;
 
 private:
-  /// Values of all particles.
+  /// A field, and where its values come from.
   struct Array {
     std::string name;
     std::string unit;
-    std::size_t components = 1; ///< a particle
-    std::vector<double> values;
+    ShownQuantity quantity;
   };
 
-  std::vector<std::int32_t> soil_;
+  const Domain& domain_;
+  std::vector<std::int32_t> soil_of_set_; ///< by set, one of soil_names()
   std::vector<Array> arrays_;
 };
 

@@ -6,8 +6,8 @@
 
 namespace tremolo::mpm_domain {
 
-StructureFrame::StructureFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper) {
-  for (const Particles& set : snapshot.sets().subspan(domain.soil_sets))
+StructureFrame::StructureFrame(const Domain& domain, const Stepper& stepper) {
+  for (const Particles& set : domain.body_sets())
     for (const std::uint32_t k : set.index_of) {
       if (k == Particles::nowhere)
         continue;

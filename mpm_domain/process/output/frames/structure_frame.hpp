@@ -1,11 +1,10 @@
 #pragma once
 
 // A frame of the elastic structures: their particles, structure after structure, each in the order of their
-// ids.
+// ids. Where ranks share the domain, the first has them all.
 
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/step/stepper.hpp"
-#include "mpm_domain/transfer/snapshot.hpp"
 #include "results/run_data.hpp"
 #include "scene/case.hpp"
 
@@ -15,7 +14,7 @@
 namespace tremolo::mpm_domain {
 
 struct StructureFrame {
-  StructureFrame(const Domain& domain, const Snapshot& snapshot, const Stepper& stepper);
+  StructureFrame(const Domain& domain, const Stepper& stepper);
 
   /// The fields that the case requests, which refer to the arrays; none without an elastic structure.
   std::vector<results::Field> fields(const scene::Case& scene) const;

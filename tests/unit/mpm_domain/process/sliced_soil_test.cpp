@@ -70,6 +70,7 @@ TEST(SlicedSoil, IsOneSoilInTheRunsFile) {
                    std::vector<std::string>(domain.boundary.faces().size(), "left"));
   stepper.step();
   output.after_step(stepper);
+  output.write_last(stepper);
   output.finish(stepper, 0.0, 0.0);
   const results::RunReader run(folder / "run.h5");
   EXPECT_EQ(std::get<std::vector<std::string>>(run.attribute("soil_names")),

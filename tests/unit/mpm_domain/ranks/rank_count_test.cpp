@@ -223,8 +223,11 @@ public:
   /// All that a checkpoint keeps: particles, boundary, ledger. Only rank 0 has the particles of all.
   SavedState state() const {
     SavedState saved;
-    save(domain_, domain_.share ? gather_sets(domain_).sets : domain_.sets, saved);
-    stepper_->save(saved);
+    mpm_domain::AllParticles particles(domain_, 1000); // in many pieces, which end within blocks
+    particles.show({}, [&] {
+      save(domain_, particles, saved);
+      stepper_->save(saved);
+    });
     return saved;
   }
   void load(const SavedState& saved, mpm_domain::Communicator* ranks) {

@@ -112,8 +112,11 @@ protected:
     for (int step = 0; step < 5; ++step)
       stepper.step();
     SavedState state;
-    save(domain, domain.share ? gather_sets(domain).sets : domain.sets, state);
-    stepper.save(state);
+    mpm_domain::AllParticles particles(domain);
+    particles.show({}, [&] {
+      save(domain, particles, state);
+      stepper.save(state);
+    });
     return state;
   }
 

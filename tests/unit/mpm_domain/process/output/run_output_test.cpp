@@ -34,6 +34,7 @@ TEST(RunOutput, WritesAFieldOfOnesOwnInEveryFrame) {
   stepper.step();
   output.after_step(stepper);
   stepper.step();
+  output.write_last(stepper);
   output.finish(stepper, 0.0, 0.0);
 
   const results::RunReader run(folder / "run.h5");

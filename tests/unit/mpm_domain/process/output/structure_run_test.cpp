@@ -146,6 +146,7 @@ TEST(RunOutput, FollowsBodiesAndTheirForces) {
   run.step(3);
   const double back = 0.5 * run.stepper().dt();
   const RigidMotion u = run.body().motion();
+  run.output().write_last(run.stepper());
   run.output().finish(run.stepper(), 0.0, 0.0);
 
   const results::SeriesData block = results::RunReader(folder / "run.h5").series("/bodies/block");
@@ -198,6 +199,7 @@ TEST(RunOutput, ContactNodesAddUpToTheForcesOnTheBody) {
   push(run.domain().contact);
   run.step(3);
   const BodyForces forces = run.domain().contact.forces(0);
+  run.output().write_last(run.stepper());
   run.output().finish(run.stepper(), 0.0, 0.0);
 
   const results::RunReader file(folder / "run.h5");
@@ -228,6 +230,7 @@ TEST(RunOutput, MonitorsMoveWithTheirBody) {
   BlockRun run(folder / "");
   push(run.domain().contact);
   run.step(3);
+  run.output().write_last(run.stepper());
   run.output().finish(run.stepper(), 0.0, 0.0);
 
   const results::RunReader file(folder / "run.h5");
@@ -269,6 +272,7 @@ TEST(RunOutput, FollowsAPointOfAnElasticBody) {
   const double vx = set.vx[nearest];
   const double sxx = set.sxx[nearest];
   const double acceleration = particle_acceleration(run.domain(), set, nearest).x;
+  run.output().write_last(run.stepper());
   run.output().finish(run.stepper(), 0.0, 0.0);
 
   const results::RunReader file(folder / "run.h5");
@@ -310,6 +314,7 @@ TEST(RunOutput, TellsTheBentOutlineOfAnElasticBody) {
     for (std::size_t k = 0; set.body && k < set.size(); ++k)
       set.x[k] += bend * set.y[k] * set.y[k];
   run.step(1);
+  run.output().write_last(run.stepper());
   run.output().finish(run.stepper(), 0.0, 0.0);
   const results::RunReader file(folder / "run.h5");
   const results::SeriesData outline = file.series("/outlines/block");
@@ -339,6 +344,7 @@ TEST_P(Resumed, GoesOnWithBodiesWhereACheckpointWas) {
     checkpoint.close();
     state = test_support::saved_state(whole.domain(), whole.stepper());
     whole.step(2);
+    whole.output().write_last(whole.stepper());
     whole.output().finish(whole.stepper(), 0.0, 0.0);
   }
   const auto contents = [&] {
@@ -359,6 +365,7 @@ TEST_P(Resumed, GoesOnWithBodiesWhereACheckpointWas) {
   test_support::restore_state(state, resumed.domain(), resumed.stepper());
   resumed.output().take_over(before, results::CheckpointReader(folder / "domain.h5", identity));
   resumed.step(2);
+  resumed.output().write_last(resumed.stepper());
   resumed.output().finish(resumed.stepper(), 0.0, 0.0);
   EXPECT_EQ(contents(), all);
 }
