@@ -68,15 +68,13 @@ std::vector<std::vector<std::uint32_t>> of_faces(const Domain& domain) {
 std::vector<Particles> particles_at_start(const Domain& domain, const scene::Case& scene) {
   const NearPoints near(domain, scene);
   const std::vector<std::vector<std::uint32_t>> faces = of_faces(domain);
-  return gather_sets(domain,
-                     [&](std::size_t s, std::size_t k) {
-                       const Particles& set = domain.sets[s];
-                       return std::ranges::binary_search(faces[s], set.id[k]) || near.include(set, k) ||
-                              std::ranges::any_of(scene.sliding_masses, [&](const scene::SlidingMass& mass) {
-                                return began_within(mass, set, k);
-                              });
-                     })
-      .sets;
+  const auto is_wanted = [&](std::size_t s, std::size_t k) {
+    const Particles& set = domain.sets[s];
+    return std::ranges::binary_search(faces[s], set.id[k]) || near.include(set, k) ||
+           std::ranges::any_of(scene.sliding_masses,
+                               [&](const scene::SlidingMass& mass) { return began_within(mass, set, k); });
+  };
+  return gather_sets(domain, is_wanted, 0, [](std::size_t, std::size_t, std::vector<double>&) {}).sets;
 }
 
 } // namespace tremolo::mpm_domain
