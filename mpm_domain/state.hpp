@@ -68,7 +68,12 @@ void restore(Particles& set, const std::string& name, bool varies, const Reader&
   });
   set.state = numbers_of_size(from, name + ".state", set.id.size() * set.state_size);
   read_integers(from, name + ".tile_start", set.block_start);
-  read_integers(from, name + ".index_of", set.index_of);
+  set.index_of.clear();
+  const std::vector<std::uint64_t> places = from.integers(name + ".index_of");
+  set.index_of.give(places.size());
+  for (std::size_t id = 0; id < places.size(); ++id)
+    if (places[id] != Particles::nowhere)
+      set.index_of.put(id, places[id]);
 }
 
 /// @throws std::runtime_error for the blocks of particles of another grid

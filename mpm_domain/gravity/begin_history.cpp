@@ -14,21 +14,31 @@ namespace {
 
 /// Excess pressures are means of cells, and so is the stress that pore pressure ratios are taken over.
 void keep_vertical_stress(Domain& domain) {
-  const CellFinder finder = domain.mesh ? CellFinder(*domain.mesh) : CellFinder(domain.tiles, 0);
-  const auto over_wet = [&](const auto& act) {
-    for (Particles& set : domain.sets)
-      for (std::size_t k = 0; set.traits.wet && k < set.size(); ++k)
-        act(set, k, finder.at(set.x[k], set.y[k]).node);
-  };
+  if (!domain.has_pore_pressure())
+    return;
+  const auto is_wet = [](const Particles& set) { return set.traits.wet; };
+  ClockTiles& tiles = domain.clock_tiles.front(); // where there is water there is one clock
   clear_cells(domain);
-  over_wet([&](const Particles& set, std::size_t k, std::size_t cell) {
-    domain.grid.cell_weight[cell] += set.volume[k];
-    domain.grid.cell_change[cell] += set.volume[k] * set.syy[k];
+  tiles.sums.add_to(domain.grid, cell_sums, domain.tiles, domain.workers, domain.windows,
+                    [&](std::size_t n, double* window) {
+                      const std::size_t tile = tiles.sums.filled()[n];
+                      const CellFinder finder(domain.tiles, tile);
+                      const CellWindow sums(window);
+                      for (const Particles& set : domain.sets)
+                        if (is_wet(set))
+                          for (auto [k, end] = set.in_block(domain.block(0, tile)); k < end; ++k)
+                            sums.add(finder.at(set.x[k], set.y[k]).in_window, set.volume[k],
+                                     set.volume[k] * set.syy[k]);
+                      return rows_of_window(domain, tile);
+                    });
+  const CellFinder finder = domain.mesh ? CellFinder(*domain.mesh) : CellFinder(domain.tiles, 0);
+  complete_cells(domain, tiles, is_wet, [&](std::size_t s, std::size_t k) {
+    const Particles& set = domain.sets[s];
+    return CellValues{finder.at(set.x[k], set.y[k]).node, set.volume[k], set.volume[k] * set.syy[k]};
   });
-  join_images_of_cells(domain);
-  over_wet([&](Particles& set, std::size_t k, std::size_t cell) {
-    set.vertical_at_rest[k] = mean_of_cell(domain.grid, cell);
-  });
+  for (Particles& set : domain.sets)
+    for (std::size_t k = 0; is_wet(set) && k < set.size(); ++k)
+      set.vertical_at_rest[k] = mean_of_cell(domain.grid, finder.at(set.x[k], set.y[k]).node);
 }
 
 /// Particles of a set whose stress was cut, and the corners of the box around them.

@@ -17,8 +17,10 @@ void add_part(const Particles& from, std::size_t k, double share, Particles& to)
       [&](const ParticleFieldDescription&, std::vector<double>& of_part) { of_part.push_back(*next++); });
   const auto state = from.state.begin() + static_cast<std::ptrdiff_t>(k * from.state_size);
   to.state.insert(to.state.end(), state, state + static_cast<std::ptrdiff_t>(from.state_size));
-  to.id.push_back(static_cast<std::uint32_t>(to.index_of.size()));
-  to.index_of.push_back(static_cast<std::uint32_t>(to.size() - 1));
+  const std::size_t id = to.index_of.size();
+  to.id.push_back(static_cast<std::uint32_t>(id));
+  to.index_of.give(id + 1);
+  to.index_of.put(id, to.size() - 1);
 }
 
 } // namespace
@@ -33,7 +35,7 @@ void add_copy(const Particles& from, std::size_t k, Particles& to) {
 
 void remove(Particles& p, const std::vector<std::size_t>& gone) {
   for (const std::size_t k : gone)
-    p.index_of[p.id[k]] = Particles::nowhere;
+    p.index_of.remove(p.id[k]);
   const auto keep = [&](auto& array, std::size_t width) {
     std::size_t end = gone.front() * width;
     auto next = gone.begin();

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -53,18 +54,42 @@ std::size_t key_of(const Particles& p, std::size_t k, const TileMap& tiles, int 
   return (first_block + tiles.tile_of(level, column, row)) * cells_per_tile + static_cast<std::size_t>(cell);
 }
 
+/// Where a key begins among sorted ones.
+class Begins {
+public:
+  Begins(std::span<const std::size_t> key, std::size_t blocks) : first_of_(blocks + 1, 0) {
+    for (const std::size_t one : key)
+      first_of_[one / cells_per_tile] = 1;
+    // Blocks with particles are numbered; a rank has few of all.
+    std::size_t filled = 0;
+    for (std::size_t& first : first_of_)
+      first = std::exchange(filled, filled + first) * cells_per_tile;
+    start_.assign(filled * cells_per_tile + 1, 0);
+    for (const std::size_t one : key)
+      ++start_[at(one) + 1];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    next_ = start_;
+  }
+
+  std::size_t of_block(std::size_t block) const { return start_[first_of_[block]]; }
+  /// The next place of a key.
+  std::size_t take(std::size_t key) { return next_[at(key)]++; }
+
+private:
+  std::size_t at(std::size_t key) const { return first_of_[key / cells_per_tile] + key % cells_per_tile; }
+
+  std::vector<std::size_t> first_of_; ///< by block: of its keys among those of blocks with particles
+  std::vector<std::size_t> start_;    ///< of these keys, and the end
+  std::vector<std::size_t> next_;
+};
+
 /// Sorts the particles by their keys, stably, and finds where each block begins.
 void order_by(Particles& particles, std::span<const std::size_t> key, std::size_t blocks) {
   const std::size_t n = particles.size();
-  const std::size_t keys = blocks * cells_per_tile;
-  std::vector<std::size_t> start(keys + 1, 0);
-  for (std::size_t k = 0; k < n; ++k)
-    ++start[key[k] + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  Begins begins(key, blocks);
   std::vector<std::size_t> from(n);
   for (std::size_t k = 0; k < n; ++k)
-    from[next[key[k]]++] = k;
+    from[begins.take(key[k])] = k;
 
   std::vector<double> old;
   particles.for_fields([&](const ParticleFieldDescription&, std::vector<double>& values) {
@@ -78,14 +103,14 @@ void order_by(Particles& particles, std::span<const std::size_t> key, std::size_
     for (std::size_t s = 0; s < width; ++s)
       particles.state[k * width + s] = old[from[k] * width + s];
   const std::vector<std::uint32_t> old_id = particles.id;
-  particles.index_of.resize(std::max(n, particles.index_of.size())); // ids of cut particles stay
+  particles.index_of.give(n); // ids of cut particles stay
   for (std::size_t k = 0; k < n; ++k) {
     particles.id[k] = old_id[from[k]];
-    particles.index_of[particles.id[k]] = static_cast<std::uint32_t>(k);
+    particles.index_of.put(particles.id[k], k);
   }
   particles.block_start.clear();
   for (std::size_t block = 0; block <= blocks; ++block)
-    particles.block_start.push_back(start[block * cells_per_tile]);
+    particles.block_start.push_back(begins.of_block(block));
 }
 
 } // namespace

@@ -6,12 +6,12 @@
 #include "mpm_domain/grid/grid.hpp"
 #include "mpm_domain/kernel/kernel.hpp"
 #include "mpm_domain/kernel/particle_boxes.hpp"
+#include "mpm_domain/particles/places_by_id.hpp"
 #include "mpm_domain/particles/water/pore_water.hpp"
 #include "mpm_domain/spec/spec.hpp"
 #include "mpm_domain/tiles/tile_map.hpp"
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,9 +24,8 @@ struct ParticleRange {
   std::size_t end;
 };
 
-/// All particles of one soil, or of an elastic body, and of one size, one array a quantity, ordered by tile
-/// and cell.
-struct Particles : ParticleFields {
+/// What all particles of a set have in common.
+struct KindOfParticles {
   std::string soil;
   std::size_t soil_index = 0; ///< into Spec::soils
   /// The index in Ground::bodies of the elastic body that the particles are part of. They have no soil_index;
@@ -47,16 +46,19 @@ struct Particles : ParticleFields {
 
   ParticleTraits traits;
   std::vector<ParticleFieldDescription> more_fields; ///< of ParticleFields::more
+};
 
+/// All particles of one soil, or of an elastic body, and of one size, one array a quantity, ordered by tile
+/// and cell.
+struct Particles : KindOfParticles, ParticleFields {
   std::vector<std::uint32_t> id; ///< number at creation; the same for the whole run
   std::vector<double> state;     ///< [particle][state_size]
 
   std::vector<std::size_t> block_start; ///< first particle of each of the domain's blocks, and the end
-  std::vector<std::uint32_t> index_of;  ///< index of each id in the arrays, or nowhere
-  std::vector<std::uint32_t> whole;     ///< ids, ascending, of particles that are never split (splitting.hpp)
+  PlacesById index_of;
+  std::vector<std::uint32_t> whole; ///< ids, ascending, of particles that are never split (splitting.hpp)
 
-  /// Index of an id whose particle has been split.
-  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t nowhere = PlacesById::nowhere;
 
   std::size_t size() const { return x.size(); }
   ParticleRange in_block(std::size_t block) const { return {block_start[block], block_start[block + 1]}; }

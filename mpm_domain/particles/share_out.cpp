@@ -1,8 +1,10 @@
 #include "mpm_domain/particles/share_out.hpp"
 
+#include "mpm_domain/particles/parcels.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -13,107 +15,8 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Numbers for a rank: for one set after the other the number of particles, and of each particle its block,
-/// its id, its fields, its state, and what goes with it besides.
-using Parcel = std::vector<double>;
-
-constexpr int no_rank = -1;
-
-/// Sends no additional data with the particles.
-void add_nothing(std::size_t /*k*/, Parcel& /*parcel*/) {}
-
-std::size_t numbers_per_particle(const Particles& set) {
-  std::size_t fields = 0;
-  set.for_fields([&](const ParticleFieldDescription&, const std::vector<double>&) { ++fields; });
-  return 2 + fields + set.state_size;
-}
-
-/// Adds a set to the parcels of ranks. Quarters of particles that have been cut since the last sort stand in
-/// a block behind all others.
-/// @param rank_of   (particle, block) the rank that is to have it, or no_rank
-/// @param add_more  (particle, parcel) adds what goes with it
-template <typename RankOf, typename AddMore>
-void pack(const Particles& set, const RankOf& rank_of, const AddMore& add_more,
-          std::vector<Parcel>& parcels) {
-  std::vector<const std::vector<double>*> fields;
-  set.for_fields(
-      [&](const ParticleFieldDescription&, const std::vector<double>& values) { fields.push_back(&values); });
-  std::vector<std::size_t> count_at;
-  for (Parcel& parcel : parcels) {
-    count_at.push_back(parcel.size());
-    parcel.push_back(0.0);
-  }
-  for (std::size_t block = 0; block < set.block_start.size(); ++block)
-    for (std::size_t k = set.block_start[block];
-         k < (block + 1 < set.block_start.size() ? set.block_start[block + 1] : set.size()); ++k) {
-      const int to = rank_of(k, block);
-      if (to == no_rank)
-        continue;
-      const auto rank = static_cast<std::size_t>(to);
-      Parcel& parcel = parcels[rank];
-      parcel[count_at[rank]] += 1.0;
-      parcel.push_back(static_cast<double>(block));
-      parcel.push_back(static_cast<double>(set.id[k]));
-      for (const std::vector<double>* field : fields)
-        parcel.push_back((*field)[k]);
-      const auto state = set.state.begin() + static_cast<std::ptrdiff_t>(k * set.state_size);
-      parcel.insert(parcel.end(), state, state + static_cast<std::ptrdiff_t>(set.state_size));
-      add_more(k, parcel);
-    }
-}
-
-/// Fills a set with its particles from parcels, by their blocks. A block's particles come from one rank.
-/// @param more  how many numbers go with a particle besides
-/// @param next  where the set begins in each parcel; then where it ends
-/// @returns these numbers, particle after particle
-std::vector<double> unpack(Particles& set, std::size_t blocks, const std::vector<Parcel>& parcels,
-                           std::size_t more, std::vector<std::size_t>& next) {
-  struct One {
-    std::size_t block;
-    const double* numbers; ///< id, fields, state, and more
-  };
-  const std::size_t width = numbers_per_particle(set) + more;
-  std::vector<One> all;
-  for (std::size_t rank = 0; rank < parcels.size(); ++rank) {
-    if (parcels[rank].empty())
-      continue;
-    const auto count = static_cast<std::size_t>(parcels[rank][next[rank]]);
-    const double* numbers = parcels[rank].data() + next[rank] + 1;
-    for (std::size_t k = 0; k < count; ++k, numbers += width)
-      all.push_back({static_cast<std::size_t>(numbers[0]), numbers + 1});
-    next[rank] += 1 + count * width;
-  }
-  std::ranges::stable_sort(all, {}, &One::block);
-
-  std::vector<double> besides;
-  set.block_start.assign(blocks + 1, 0);
-  set.id.resize(all.size());
-  set.state.resize(all.size() * set.state_size);
-  std::ranges::fill(set.index_of, Particles::nowhere);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    ++set.block_start[all[k].block + 1];
-    set.id[k] = static_cast<std::uint32_t>(all[k].numbers[0]);
-    set.index_of[set.id[k]] = static_cast<std::uint32_t>(k);
-    const double* const state = all[k].numbers + width - 1 - more - set.state_size;
-    std::copy_n(state, set.state_size, set.state.begin() + static_cast<std::ptrdiff_t>(k * set.state_size));
-    besides.insert(besides.end(), state + set.state_size, state + set.state_size + more);
-  }
-  std::partial_sum(set.block_start.begin(), set.block_start.end(), set.block_start.begin());
-  std::size_t position = 1;
-  set.for_fields([&](const ParticleFieldDescription&, std::vector<double>& values) {
-    values.resize(all.size());
-    for (std::size_t k = 0; k < all.size(); ++k)
-      values[k] = all[k].numbers[position];
-    ++position;
-  });
-  return besides;
-}
-
-void unpack(std::vector<Particles>& sets, std::size_t blocks, const std::vector<Parcel>& parcels) {
-  std::vector<std::size_t> next(parcels.size(), 0);
-  for (Particles& set : sets)
-    unpack(set, blocks, parcels, 0, next);
-}
+/// Particles of a set that ranks look through at a time for those that go to others.
+constexpr std::size_t portion = std::size_t{1} << 16;
 
 /// The tiles that hold nodes of periodic sides, images and what they are images of, by row of tiles. A rank
 /// that has one tile of a row has them all, so that sums at both sides come together.
@@ -233,33 +136,42 @@ Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> s
   return together;
 }
 
-/// A set of the same soil, to be filled; with the ids of all particles.
-Particles without_particles(const Particles& set) {
-  Particles empty;
-  empty.soil = set.soil;
-  empty.soil_index = set.soil_index;
-  empty.body = set.body;
-  empty.level = set.level;
-  empty.cell_size = set.cell_size;
-  empty.half_size = set.half_size;
-  empty.law = set.law;
-  empty.damping_time = set.damping_time;
-  empty.relaxation = set.relaxation;
-  empty.first_memory = set.first_memory;
-  empty.density = set.density;
-  empty.weight_share = set.weight_share;
-  empty.water = set.water;
-  empty.drains = set.drains;
-  empty.state_size = set.state_size;
-  empty.traits = set.traits;
-  empty.more_fields = set.more_fields;
-  empty.more.resize(set.more_fields.size());
-  empty.index_of.resize(set.index_of.size());
-  return empty;
-}
-
 std::vector<Parcel> empty_parcels(const Communicator& ranks) {
   return std::vector<Parcel>(static_cast<std::size_t>(ranks.size()));
+}
+
+std::size_t all_blocks(const Ground& ground) {
+  return ground.block_count() + ground.across_block_count();
+}
+
+/// Gives the particles of a set that belong to others to these, and takes those that belong here.
+/// @param rank_of  (particle) the rank that is to have it
+template <typename RankOf>
+void move(Particles& set, Communicator& ranks, const RankOf& rank_of) {
+  std::vector<bool> stays(set.size(), true);
+  for (std::size_t k = 0; k < set.size(); ++k)
+    stays[k] = rank_of(k) == ranks.rank();
+  const auto gone = static_cast<std::int64_t>(std::ranges::count(stays, false));
+  std::array<std::int64_t, 1> moving{gone};
+  ranks.add(moving);
+  if (moving.front() == 0)
+    return;
+  // In portions, so that what is under way is little beside what has come.
+  double most = static_cast<double>(set.size());
+  ranks.largest({&most, 1});
+  std::vector<Parcel> arrived;
+  for (std::size_t first = 0; static_cast<double>(first) < most; first += portion) {
+    std::vector<Parcel> parcels = empty_parcels(ranks);
+    with_blocks(set, std::min(first, set.size()), std::min(first + portion, set.size()),
+                [&](std::size_t k, std::size_t block) {
+                  if (!stays[k])
+                    pack(set, k, block, parcels[static_cast<std::size_t>(rank_of(k))]);
+                });
+    for (Parcel& parcel : ranks.swap(parcels))
+      if (!parcel.empty())
+        arrived.push_back(std::move(parcel));
+  }
+  rearrange(set, set.block_start.size(), stays, arrived);
 }
 
 } // namespace
@@ -278,26 +190,26 @@ void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::R
   const Together together = tiles_together(ground, structures, census);
   share.deal = deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together);
   share.structures = std::move(structures);
-  std::vector<Parcel> parcels(1);
-  for (const Particles& set : ground.sets)
-    pack(
-        set,
-        [&](std::size_t, std::size_t block) {
-          return ground.share->is_mine(block % ground.tiles.count()) ? 0 : no_rank;
-        },
-        add_nothing, parcels);
-  unpack(ground.sets, ground.block_count() + ground.across_block_count(), parcels);
+  for (Particles& set : ground.sets) {
+    std::vector<bool> stays(set.size());
+    with_blocks(set, 0, set.size(), [&](std::size_t k, std::size_t block) {
+      stays[k] = share.is_mine(block % ground.tiles.count());
+    });
+    rearrange(set, all_blocks(ground), stays, {});
+  }
   resize_fields(ground.grid, ground.grid.size());
 }
 
 void make_whole(Ground& ground) {
   Communicator& ranks = *ground.share->ranks;
-  std::vector<Parcel> mine(1);
-  for (const Particles& set : ground.sets)
-    pack(
-        set, [](std::size_t, std::size_t) { return 0; }, add_nothing, mine);
-  const std::vector<Parcel> to_all(static_cast<std::size_t>(ranks.size()), mine.front());
-  unpack(ground.sets, ground.block_count() + ground.across_block_count(), ranks.swap(to_all));
+  for (Particles& set : ground.sets) {
+    Parcel own;
+    with_blocks(set, 0, set.size(), [&](std::size_t k, std::size_t block) { pack(set, k, block, own); });
+    std::vector<Parcel> of_others(static_cast<std::size_t>(ranks.size()), own);
+    of_others = ranks.swap(of_others);
+    of_others[static_cast<std::size_t>(ranks.rank())].clear();
+    rearrange(set, all_blocks(ground), {}, of_others);
+  }
   ground.share.reset();
   resize_fields(ground.grid, ground.grid.size());
 }
@@ -327,36 +239,31 @@ void move_between_ranks(Ground& ground) {
   share.times.restart(ground.tiles.count());
   const Together together = tiles_together(ground, share.structures, census);
   share.deal = follow(share.deal, ground.tiles, std::move(census.on_lattice), share.ranks->size(), together);
-  std::vector<Parcel> parcels = empty_parcels(*share.ranks);
-  std::size_t blocks_before = 0;
-  for (std::size_t s = 0; s < ground.sets.size(); ++s) {
-    pack(
-        ground.sets[s], [&](std::size_t k, std::size_t) { return share.owner(tile_of_particle[s][k]); },
-        add_nothing, parcels);
-    blocks_before = ground.sets[s].block_start.size();
-  }
-  unpack(ground.sets, blocks_before, share.ranks->swap(parcels));
+  for (std::size_t s = 0; s < ground.sets.size(); ++s)
+    move(ground.sets[s], *share.ranks, [&](std::size_t k) { return share.owner(tile_of_particle[s][k]); });
 }
 
 GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t more,
                          const AddNumbers& add_numbers) {
   Communicator& ranks = *ground.share->ranks;
-  std::vector<Parcel> first(1);
-  for (std::size_t s = 0; s < ground.sets.size(); ++s)
-    pack(
-        ground.sets[s], [&](std::size_t k, std::size_t) { return wanted(s, k) ? 0 : no_rank; },
-        [&](std::size_t k, Parcel& parcel) { add_numbers(s, k, parcel); }, first);
-  std::vector<Parcel> parcels = empty_parcels(ranks);
-  parcels.front() = std::move(first.front());
-  const std::vector<Parcel> received = ranks.swap(parcels);
   GatheredSets gathered;
-  if (ranks.rank() != 0)
-    return gathered;
-  std::vector<std::size_t> next(received.size(), 0);
-  for (const Particles& set : ground.sets) {
-    Particles& copy = gathered.sets.emplace_back(without_particles(set));
-    gathered.numbers.push_back(
-        unpack(copy, ground.block_count() + ground.across_block_count(), received, more, next));
+  for (std::size_t s = 0; s < ground.sets.size(); ++s) {
+    const Particles& set = ground.sets[s];
+    std::vector<Parcel> parcels = empty_parcels(ranks);
+    with_blocks(set, 0, set.size(), [&](std::size_t k, std::size_t block) {
+      if (!wanted(s, k))
+        return;
+      pack(set, k, block, parcels.front());
+      add_numbers(s, k, parcels.front());
+    });
+    parcels = ranks.swap(parcels);
+    if (ranks.rank() != 0)
+      continue;
+    Particles& copy = gathered.sets.emplace_back();
+    static_cast<KindOfParticles&>(copy) = set;
+    copy.more.resize(set.more.size());
+    copy.index_of.give(set.index_of.size());
+    gathered.numbers.push_back(rearrange(copy, all_blocks(ground), {}, parcels, more));
   }
   return gathered;
 }

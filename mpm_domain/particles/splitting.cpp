@@ -73,7 +73,7 @@ void count_ids(Ground& ground) {
     counts.push_back(static_cast<double>(set.index_of.size()));
   take_largest(ground, counts);
   for (std::size_t s = 0; s < ground.sets.size(); ++s)
-    ground.sets[s].index_of.resize(static_cast<std::size_t>(counts[s]), Particles::nowhere);
+    ground.sets[s].index_of.give(static_cast<std::size_t>(counts[s]));
 }
 
 } // namespace

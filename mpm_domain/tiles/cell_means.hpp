@@ -55,6 +55,12 @@ struct CellWindow {
   }
 };
 
+/// All rows of a tile's window: cells begin one row below the nodes that their particles touch, or with them.
+inline RowRange rows_of_window(const Ground& ground, std::size_t tile) {
+  const NodeBlock window = ground.tiles.window(tile);
+  return {window.row, window.end_row()};
+}
+
 /// Sets the sums over cells to zero.
 void clear_cells(Ground& ground);
 

@@ -44,11 +44,6 @@ void read_means_of_cells(const Ground& ground, std::size_t tile, WindowValues& m
   });
 }
 
-RowRange all_rows(const Ground& ground, std::size_t tile) {
-  const NodeBlock window = ground.tiles.window(tile);
-  return {window.row, window.end_row()};
-}
-
 /// Sums W and W e over the wet particles of every cell.
 /// @param sum_runs   (set, range, tile, sums) adds up those of particles on one lattice
 /// @param of_across  (set, tile) finds W e of others, which then stands in their excess
@@ -65,7 +60,7 @@ void sum_in_cells(Ground& ground, const SumRuns& sum_runs, const OfAcross& of_ac
                         if (!takes_pressure(ground.sets[s]) || range.begin == range.end)
                           continue;
                         sum_runs(s, range, tile, CellWindow(window));
-                        rows = all_rows(ground, tile);
+                        rows = rows_of_window(ground, tile);
                       }
                       return rows;
                     });
@@ -173,7 +168,7 @@ void average_at_nodes(Ground& ground, std::span<const NodeRange> nodes, std::spa
           add_runs<Boxes::rows>(waiting_of(ground, p).runs[tile], means,
                                 window + fields.front().first * window_nodes);
         });
-        return all_rows(ground, tile);
+        return rows_of_window(ground, tile);
       },
       [&](AcrossTile& tile) {
         const Particles& p = ground.sets[tile.set];

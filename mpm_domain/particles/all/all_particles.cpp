@@ -186,9 +186,10 @@ void AllParticles::for_own(const Question& question, const Act& act) const {
 /// Rows of a process that has no others.
 std::vector<double> AllParticles::own_rows(const Question& question, const Answer& answer) const {
   if (question.asked == Asked::place) {
-    const auto index_of = ground_.sets[question.set].index_of.begin();
-    return {index_of + static_cast<std::ptrdiff_t>(question.first),
-            index_of + static_cast<std::ptrdiff_t>(question.end)};
+    std::vector<double> places;
+    for (std::size_t id = question.first; id < question.end; ++id)
+      places.push_back(static_cast<double>(ground_.sets[question.set].index_of[id]));
+    return places;
   }
   std::vector<double> rows;
   rows.reserve(answer.width * (question.end - question.first));

@@ -35,8 +35,8 @@ std::vector<Numbering> numbering_of(const std::vector<Particles>& sets, Communic
   return numbering;
 }
 
-/// Particles that several ranks have filled take the numbers that one would have given them. They stand in
-/// one block until the first sort.
+/// Particles that several ranks have filled take the numbers that one would have given them. Until the
+/// first sort those of each rank are a block.
 void number_over_ranks(std::vector<Particles>& sets, Communicator& ranks) {
   const std::vector<Numbering> numbering = numbering_of(sets, ranks);
   constexpr std::int64_t most = Particles::nowhere;
@@ -48,8 +48,10 @@ void number_over_ranks(std::vector<Particles>& sets, Communicator& ranks) {
           "the soil '{}' has {} particles of one size; allowed: {} at the most", sets[s].soil, all, most));
     for (std::uint32_t& id : sets[s].id)
       id += static_cast<std::uint32_t>(before);
-    sets[s].index_of.assign(static_cast<std::size_t>(all), Particles::nowhere);
-    sets[s].block_start = {0};
+    sets[s].index_of.give(static_cast<std::size_t>(all));
+    // The particles of each rank are a block.
+    sets[s].block_start.assign(static_cast<std::size_t>(ranks.rank()) + 1, 0);
+    sets[s].block_start.resize(static_cast<std::size_t>(ranks.size()), sets[s].size());
     is_empty &= all == 0;
   }
   if (is_empty)

@@ -17,7 +17,7 @@ class Communicator;
 /// Whether ranks may: slivers join the nearest particle, which another rank may have.
 bool can_be_filled_in_parts(const Spec& spec);
 
-/// The part of this rank, as fill() lays it; a set's particles stand in one block.
+/// The part of this rank, as fill() lays it; those of each rank are a block of a set.
 /// @throws std::invalid_argument as fill() does, and if a set has more particles than there are numbers
 std::vector<Particles> fill_together(const Spec& spec, const std::optional<Head>& head,
                                      const mesh::Quadtree* tree, Communicator& ranks);

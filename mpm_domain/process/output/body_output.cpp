@@ -71,8 +71,7 @@ BodyOutput::BodyOutput(const scene::Case& scene, const Domain& domain, results::
         add_history(writer, path, body_monitor_columns,
                     std::array{results::Attribute{"structure", names[*monitor.structure]}});
     const Vector& start = bodies[*monitor.structure].start();
-    followers_.push_back(
-        {*monitor.structure, monitor.point - start, {}, {}, &series});
+    followers_.push_back({*monitor.structure, monitor.point - start, {}, {}, &series});
     series_.emplace_back(path, &series);
   }
 }

@@ -28,9 +28,10 @@ scene::Box bounds(const scene::Polygon& polygon) {
 /// do not depend on how particles are sorted.
 std::vector<std::uint32_t> members(const scene::SlidingMass& mass, const Particles& set) {
   std::vector<std::uint32_t> members;
-  for (const std::uint32_t k : set.index_of)
-    if (k != Particles::nowhere && began_within(mass, set, k))
+  set.index_of.for_all([&](std::uint32_t k) {
+    if (began_within(mass, set, k))
       members.push_back(k);
+  });
   return members;
 }
 

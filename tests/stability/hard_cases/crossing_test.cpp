@@ -46,7 +46,7 @@ void lay_across_cells(Domain& domain) {
   Particles& p = domain.sets.front();
   p.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.resize(count); });
   p.id.resize(count);
-  p.index_of.resize(count);
+  p.index_of.clear();
   p.half_size = 0.5 * size;
   for (std::size_t k = 0; k < count; ++k) {
     p.id[k] = static_cast<std::uint32_t>(k);

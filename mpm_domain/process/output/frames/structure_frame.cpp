@@ -8,9 +8,7 @@ namespace tremolo::mpm_domain {
 
 StructureFrame::StructureFrame(const Domain& domain, const Stepper& stepper) {
   for (const Particles& set : domain.body_sets())
-    for (const std::uint32_t k : set.index_of) {
-      if (k == Particles::nowhere)
-        continue;
+    set.index_of.for_all([&](std::uint32_t k) {
       const Vector at = position_of(set, k, stepper.dt());
       const Vector moved = mpm_domain::displacement(set, k, stepper.dt());
       position.insert(position.end(), {at.x, at.y});
@@ -18,7 +16,7 @@ StructureFrame::StructureFrame(const Domain& domain, const Stepper& stepper) {
       stress.insert(stress.end(), {set.sxx[k], set.syy[k], set.szz[k], set.sxy[k]});
       size.push_back(2.0 * set.half_size);
       body.push_back(static_cast<std::int32_t>(domain.contact.structure_of(*set.body)));
-    }
+    });
 }
 
 std::vector<results::Field> StructureFrame::fields(const scene::Case& scene) const {

@@ -47,8 +47,9 @@ std::vector<double> motion(double h, bool wrapped) {
     if (std::floor(stepper.time() / 0.02) == std::floor((stepper.time() - stepper.dt()) / 0.02))
       continue;
     for (const Particles& set : domain.sets)
-      for (const std::uint32_t k : set.index_of)
+      set.index_of.for_all([&](std::uint32_t k) {
         velocities.insert(velocities.end(), {set.vx[k], set.vy[k]});
+      });
   }
   return velocities;
 }

@@ -48,7 +48,7 @@ public:
     for (Particles& set : domain_.sets)
       for (std::size_t k = 0; k < set.size(); ++k)
         if (std::hypot(set.x_initial[k] - x, set.y_initial[k] - y) < 1e-9)
-          set.index_of[set.id[k]] = Particles::nowhere;
+          set.index_of.remove(set.id[k]);
   }
 
 private:

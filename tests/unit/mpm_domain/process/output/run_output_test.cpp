@@ -23,8 +23,9 @@ TEST(RunOutput, WritesAFieldOfOnesOwnInEveryFrame) {
   Domain domain(spec);
   Particles& p = domain.sets.front();
   std::vector<double> by_id;
-  for (const std::uint32_t k : p.index_of)
+  p.index_of.for_all([&](std::uint32_t k) {
     by_id.push_back(p.more.front()[k] = 3.0 + 0.5 * static_cast<double>(p.id[k]));
+  });
 
   const testing::TemporaryFolder folder;
   const std::vector<std::string> sources(domain.boundary.faces().size(), "wave");
