@@ -57,7 +57,7 @@ void share_out(Domain& domain, Communicator& ranks);
 /// Gives every rank the whole domain, structures as the first one has them.
 void make_whole(Domain& domain);
 
-/// Where ranks share the domain: they learn of other faces, before the next sort.
+/// After faces have changed between two sorts, or particles have come to other ranks: these learn of it.
 void follow_faces(Domain& domain);
 
 } // namespace tremolo::mpm_domain

@@ -10,6 +10,7 @@
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/fields/saved_numbers.hpp"
 #include "mpm_domain/particles/all/all_particles.hpp"
+#include "mpm_domain/particles/share_out.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +20,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -55,35 +57,97 @@ void save(const AllParticles& all, std::size_t s, const Particles& set, Writer& 
                       [&](const TakeNumbers& take) { all.places(s, take); });
 }
 
-/// @param varies  whether there may be more or fewer particles than at the start
+/// Parts of an array of a checkpoint.
+/// @param rows   the places of these, among the particles of a set
+/// @param size   particles of the set
+/// @param width  numbers of each
+/// @throws std::runtime_error if the array has another length
 template <class Reader>
-void restore(Particles& set, const std::string& name, bool varies, const Reader& from) {
-  const std::size_t before = set.size();
-  read_integers(from, name + ".id", set.id);
-  if (!varies && set.id.size() != before)
+std::vector<double> numbers_at(const Reader& from, const std::string& name,
+                               std::span<const ParticleRange> rows, std::size_t size, std::size_t width) {
+  if (from.size(name) != size * width)
     throw std::runtime_error(fmt::format("the checkpoint holds {} numbers of {}, the domain has {}",
-                                         set.id.size(), name + ".id", before));
-  set.for_fields([&](const ParticleFieldDescription& line, std::vector<double>& values) {
-    values = numbers_of_size(from, name + "." + line.name, set.id.size());
-  });
-  set.state = numbers_of_size(from, name + ".state", set.id.size() * set.state_size);
-  read_integers(from, name + ".tile_start", set.block_start);
-  set.index_of.clear();
-  const std::vector<std::uint64_t> places = from.integers(name + ".index_of");
-  set.index_of.give(places.size());
-  for (std::size_t id = 0; id < places.size(); ++id)
-    if (places[id] != Particles::nowhere)
-      set.index_of.put(id, places[id]);
+                                         from.size(name), name, size * width));
+  std::vector<double> numbers;
+  for (const auto& [begin, end] : rows) {
+    const std::vector<double> part = from.numbers(name, begin * width, (end - begin) * width);
+    numbers.insert(numbers.end(), part.begin(), part.end());
+  }
+  return numbers;
 }
 
+/// Restores those particles of a set that have these places in the whole domain.
+/// @param size  particles of the whole set
+template <class Reader>
+void restore(Particles& set, const std::string& name, std::span<const ParticleRange> places, std::size_t size,
+             const Reader& from) {
+  set.id.clear();
+  for (const auto& [begin, end] : places)
+    for (const std::uint64_t id : from.integers(name + ".id", begin, end - begin))
+      set.id.push_back(static_cast<std::uint32_t>(id));
+  set.for_fields([&](const ParticleFieldDescription& line, std::vector<double>& values) {
+    values = numbers_at(from, name + "." + line.name, places, size, 1);
+  });
+  set.state = numbers_at(from, name + ".state", places, size, set.state_size);
+  set.index_of.clear();
+  set.index_of.give(from.size(name + ".index_of"));
+  for (std::size_t k = 0; k < set.id.size(); ++k)
+    set.index_of.put(set.id[k], k);
+}
+
+/// @param start  where blocks of particles begin in a checkpoint
+/// @param size   particles of the set
 /// @throws std::runtime_error for the blocks of particles of another grid
-inline void require_blocks(const Domain& domain, const Particles& set, const std::string& name) {
+inline void require_blocks(const Domain& domain, const std::vector<std::size_t>& start, std::size_t size,
+                           const std::string& name) {
   const std::size_t blocks = domain.block_count() + domain.across_block_count();
-  const std::vector<std::size_t>& start = set.block_start;
-  if (start.size() != blocks + 1 || !std::ranges::is_sorted(start) || start.back() != set.size())
+  if (start.size() != blocks + 1 || !std::ranges::is_sorted(start) || start.back() != size)
     throw std::runtime_error(fmt::format(
         "the checkpoint orders {} particles of {} in {} blocks, the domain has {} particles in {} blocks",
-        start.empty() ? 0 : start.back(), name, start.size() - (start.empty() ? 0 : 1), set.size(), blocks));
+        start.empty() ? 0 : start.back(), name, start.size() - (start.empty() ? 0 : 1), size, blocks));
+}
+
+/// Leaves the blocks of a set with the particles of this rank.
+/// @returns the places of these in the whole domain
+inline std::vector<ParticleRange> take_own_blocks(const Domain& domain, Particles& set) {
+  std::vector<ParticleRange> own;
+  std::vector<std::size_t> start{0};
+  for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block) {
+    const auto [begin, end] = set.in_block(block);
+    const bool is_mine = !domain.share || domain.share->is_mine(block % domain.tiles.count());
+    start.push_back(start.back() + (is_mine ? end - begin : 0));
+    if (!is_mine || begin == end)
+      continue;
+    if (!own.empty() && own.back().end == begin)
+      own.back().end = end;
+    else
+      own.push_back({begin, end});
+  }
+  set.block_start = std::move(start);
+  return own;
+}
+
+/// Restores the particles, or where ranks share the domain, those of this one.
+template <class Reader>
+void restore_particles(Domain& domain, const Reader& from) {
+  const bool varies = domain.mesh.has_value() || domain.earthworks.any();
+  const auto name_of = [](std::size_t s) { return "soil" + std::to_string(s); };
+  std::vector<std::size_t> sizes;
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    Particles& set = domain.sets[s];
+    sizes.push_back(from.size(name_of(s) + ".id"));
+    if (!varies && sizes.back() != set.index_of.size())
+      throw std::runtime_error(fmt::format("the checkpoint holds {} numbers of {}, the domain has {}",
+                                           sizes.back(), name_of(s) + ".id", set.index_of.size()));
+    read_integers(from, name_of(s) + ".tile_start", set.block_start);
+    require_blocks(domain, set.block_start, sizes.back(), name_of(s));
+  }
+  if (domain.share)
+    deal_out_blocks(domain, *domain.share->ranks, {});
+  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
+    const std::vector<ParticleRange> own = take_own_blocks(domain, domain.sets[s]);
+    restore(domain.sets[s], name_of(s), own, sizes[s], from);
+  }
 }
 
 /// @param particles  of the domain; where ranks share it, those that rank 0 is shown
@@ -108,6 +172,7 @@ void save(const Domain& domain, Writer& to) {
   save(domain, AllParticles(domain), to);
 }
 
+/// Where ranks have filled the domain together, each restores its share of it.
 template <class Reader>
 void restore(Domain& domain, const Reader& from) {
   const std::vector<double> grid = numbers_of_size(from, "grid", 4);
@@ -116,18 +181,13 @@ void restore(Domain& domain, const Reader& from) {
   resize(domain.grid, static_cast<int>(grid[2]), static_cast<int>(grid[3]));
   set_lattice_state(domain.bodies, from.numbers("body_lattices"));
   rebuild_mesh(domain);
-  for (std::size_t s = 0; s < domain.sets.size(); ++s) {
-    const std::string name = "soil" + std::to_string(s);
-    restore(domain.sets[s], name, domain.mesh.has_value() || domain.earthworks.any(), from);
-    require_blocks(domain, domain.sets[s], name);
-  }
+  restore_particles(domain, from);
   domain.earthworks.restore(domain, from);
-  domain.boundary.follow_sort(domain);
   domain.boundary.restore(from);
   domain.contact.restore(from);
   domain.linings.restore(from);
   domain.props.restore(from);
-  find_reach(domain);
+  follow_faces(domain);
   domain.energy.set_state(numbers_of_size(from, "energy", domain.energy.state().size()));
 }
 

@@ -146,6 +146,11 @@ public:
     return source.numbers<Number>(data.get(), type, name);
   }
 
+  template <class Number>
+  std::vector<Number> part(const std::string& name, hid_t type, std::size_t first, std::size_t count) const {
+    return source.rows<Number>(source.dataset(name), type, first, count, name);
+  }
+
   FileReader source;
 };
 
@@ -160,6 +165,22 @@ std::vector<double> CheckpointReader::numbers(const std::string& name) const {
 
 std::vector<std::uint64_t> CheckpointReader::integers(const std::string& name) const {
   return implementation_->values<std::uint64_t>(name, H5T_NATIVE_UINT64);
+}
+
+std::vector<double> CheckpointReader::numbers(const std::string& name, std::size_t first,
+                                              std::size_t count) const {
+  return implementation_->part<double>(name, H5T_NATIVE_DOUBLE, first, count);
+}
+
+std::vector<std::uint64_t> CheckpointReader::integers(const std::string& name, std::size_t first,
+                                                      std::size_t count) const {
+  return implementation_->part<std::uint64_t>(name, H5T_NATIVE_UINT64, first, count);
+}
+
+std::size_t CheckpointReader::size(const std::string& name) const {
+  const Handle data = implementation_->source.dataset(name);
+  const Handle space(H5Dget_space(data.get()), H5Sclose);
+  return static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get()));
 }
 
 std::string CheckpointReader::text(const std::string& name) const {

@@ -68,6 +68,13 @@ public:
 
   [[nodiscard]] std::vector<double> numbers(const std::string& name) const;
   [[nodiscard]] std::vector<std::uint64_t> integers(const std::string& name) const;
+  /// Some of these.
+  [[nodiscard]] std::vector<double> numbers(const std::string& name, std::size_t first,
+                                            std::size_t count) const;
+  [[nodiscard]] std::vector<std::uint64_t> integers(const std::string& name, std::size_t first,
+                                                    std::size_t count) const;
+  /// How many there are.
+  [[nodiscard]] std::size_t size(const std::string& name) const;
   [[nodiscard]] std::string text(const std::string& name) const;
 
 private:

@@ -52,7 +52,7 @@ public:
     const std::uint64_t rows = checkpoint.integers(name_ + ".written").at(0);
     const std::uint64_t chunk = dataset_.chunk_rows();
     for (std::uint64_t first = 0; first < rows; first += chunk) {
-      append(before.rows(dataset, first, std::min(chunk, rows - first), path));
+      append(before.rows<double>(dataset, H5T_NATIVE_DOUBLE, first, std::min(chunk, rows - first), path));
     }
     append(checkpoint.numbers(name_ + ".kept"));
   }

@@ -176,7 +176,7 @@ void move(Particles& set, Communicator& ranks, const RankOf& rank_of) {
 
 } // namespace
 
-void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
+void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
   Census census(ground);
   for (const Particles& set : ground.sets)
     for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block)
@@ -190,10 +190,14 @@ void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::R
   const Together together = tiles_together(ground, structures, census);
   share.deal = deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together);
   share.structures = std::move(structures);
+}
+
+void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
+  deal_out_blocks(ground, ranks, std::move(structures));
   for (Particles& set : ground.sets) {
     std::vector<bool> stays(set.size());
     with_blocks(set, 0, set.size(), [&](std::size_t k, std::size_t block) {
-      stays[k] = share.is_mine(block % ground.tiles.count());
+      stays[k] = ground.share->is_mine(block % ground.tiles.count());
     });
     rearrange(set, all_blocks(ground), stays, {});
   }

@@ -13,10 +13,13 @@
 
 namespace tremolo::mpm_domain {
 
-/// Leaves whole ground, which is the same on all ranks, with the particles of this rank's tiles. What they
-/// may touch must be found next: find_reach().
+/// Deals the tiles among ranks, for the particles of all in the blocks that `block_start` of the sets says.
 /// @param ranks       outlives the ground
 /// @param structures  boxes around all that these may touch until the next sort
+void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures);
+
+/// Leaves whole ground, which is the same on all ranks, with the particles of this rank's tiles. What they
+/// may touch must be found next: find_reach(). Arguments as above.
 void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures);
 
 /// Gives every rank the particles of all, in the order that they have in the whole ground. What they may

@@ -253,8 +253,8 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   Spec spec = spec_from_case(scene, options.threads);
   spec.rock_motion = rock_motion(scene, plan);
   auto saved = coupler::saved_state(options);
-  // What goes on from a checkpoint, or has stages after gravity, is built whole by each rank.
-  const bool together = !saved && may_fill_together(spec) && scene::static_stages(scene).empty();
+  // With stages after gravity each rank builds the whole domain.
+  const bool together = may_fill_together(spec) && scene::static_stages(scene).empty();
   Domain domain(spec, together ? ranks : nullptr);
   const bool before_shaking = saved && is_before_shaking(scene, *saved);
   if (saved && !before_shaking)

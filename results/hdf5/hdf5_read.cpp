@@ -93,30 +93,6 @@ std::vector<hsize_t> FileReader::shape(hid_t space) const {
   return extents;
 }
 
-std::vector<double> FileReader::rows(const Handle& dataset, hsize_t first, hsize_t count,
-                                     const std::string& name) const {
-  const Handle space(H5Dget_space(dataset.get()), H5Sclose);
-  auto extent = shape(space.get());
-  std::vector<hsize_t> start(extent.size(), 0);
-  start[0] = first;
-  extent[0] = count;
-  hsize_t size = 1;
-  for (const hsize_t side : extent) {
-    size *= side;
-  }
-  std::vector<double> values(size);
-  if (count == 0) {
-    return values;
-  }
-  const Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  const std::string action = fmt::format("read {} rows from {} on of {}", count, first, name);
-  checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr),
-          path_, action);
-  checked(H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT, values.data()),
-          path_, action);
-  return values;
-}
-
 std::string FileReader::text(const std::string& name) const {
   const Handle data = dataset(name);
   const Handle type(H5Dget_type(data.get()), H5Tclose);

@@ -42,9 +42,31 @@ public:
     checked(H5Dread(id, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_, "read " + name);
     return values;
   }
-  /// Some rows of a dataset of numbers.
-  std::vector<double> rows(const Handle& dataset, hsize_t first, hsize_t count,
-                           const std::string& name) const;
+  /// Some rows of a dataset, as `Number`.
+  template <class Number>
+  std::vector<Number> rows(const Handle& dataset, hid_t memory_type, hsize_t first, hsize_t count,
+                           const std::string& name) const {
+    const Handle space(H5Dget_space(dataset.get()), H5Sclose);
+    std::vector<hsize_t> extent = shape(space.get());
+    std::vector<hsize_t> start(extent.size(), 0);
+    start[0] = first;
+    extent[0] = count;
+    hsize_t size = 1;
+    for (const hsize_t side : extent) {
+      size *= side;
+    }
+    std::vector<Number> values(size);
+    if (count == 0) {
+      return values;
+    }
+    const Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const std::string action = fmt::format("read {} rows from {} on of {}", count, first, name);
+    checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr),
+            path_, action);
+    checked(H5Dread(dataset.get(), memory_type, memory.get(), space.get(), H5P_DEFAULT, values.data()), path_,
+            action);
+    return values;
+  }
   std::string text(const std::string& name) const;
   std::vector<std::string> strings(hid_t id, hid_t type, const std::string& name) const;
   Table table(const std::string& name) const;

@@ -33,6 +33,15 @@ public:
   }
   const std::vector<double>& numbers(const std::string& name) const { return numbers_.at(name); }
   const std::vector<std::uint64_t>& integers(const std::string& name) const { return integers_.at(name); }
+  std::vector<double> numbers(const std::string& name, std::size_t first, std::size_t count) const {
+    return part(numbers(name), first, count);
+  }
+  std::vector<std::uint64_t> integers(const std::string& name, std::size_t first, std::size_t count) const {
+    return part(integers(name), first, count);
+  }
+  std::size_t size(const std::string& name) const {
+    return numbers_.contains(name) ? numbers(name).size() : integers(name).size();
+  }
 
   friend void expect_same(const SavedState& one, const SavedState& other) {
     expect_same(one.numbers_, other.numbers_);
@@ -40,6 +49,12 @@ public:
   }
 
 private:
+  template <class Number>
+  static std::vector<Number> part(const std::vector<Number>& all, std::size_t first, std::size_t count) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+    return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+  }
+
   template <class Number>
   using Arrays = std::map<std::string, std::vector<Number>>;
 
