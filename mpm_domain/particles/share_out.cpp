@@ -1,6 +1,6 @@
 #include "mpm_domain/particles/share_out.hpp"
 
-#include "mpm_domain/particles/parcels.hpp"
+#include "mpm_domain/particles/journey.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 
 #include <algorithm>
@@ -14,9 +14,6 @@
 namespace tremolo::mpm_domain {
 
 namespace {
-
-/// Particles of a set that ranks look through at a time for those that go to others.
-constexpr std::size_t portion = std::size_t{1} << 16;
 
 /// The tiles that hold nodes of periodic sides, images and what they are images of, by row of tiles. A rank
 /// that has one tile of a row has them all, so that sums at both sides come together.
@@ -136,42 +133,8 @@ Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> s
   return together;
 }
 
-std::vector<Parcel> empty_parcels(const Communicator& ranks) {
-  return std::vector<Parcel>(static_cast<std::size_t>(ranks.size()));
-}
-
 std::size_t all_blocks(const Ground& ground) {
   return ground.block_count() + ground.across_block_count();
-}
-
-/// Gives the particles of a set that belong to others to these, and takes those that belong here.
-/// @param rank_of  (particle) the rank that is to have it
-template <typename RankOf>
-void move(Particles& set, Communicator& ranks, const RankOf& rank_of) {
-  std::vector<bool> stays(set.size(), true);
-  for (std::size_t k = 0; k < set.size(); ++k)
-    stays[k] = rank_of(k) == ranks.rank();
-  const auto gone = static_cast<std::int64_t>(std::ranges::count(stays, false));
-  std::array<std::int64_t, 1> moving{gone};
-  ranks.add(moving);
-  if (moving.front() == 0)
-    return;
-  // In portions, so that what is under way is little beside what has come.
-  double most = static_cast<double>(set.size());
-  ranks.largest({&most, 1});
-  std::vector<Parcel> arrived;
-  for (std::size_t first = 0; static_cast<double>(first) < most; first += portion) {
-    std::vector<Parcel> parcels = empty_parcels(ranks);
-    with_blocks(set, std::min(first, set.size()), std::min(first + portion, set.size()),
-                [&](std::size_t k, std::size_t block) {
-                  if (!stays[k])
-                    pack(set, k, block, parcels[static_cast<std::size_t>(rank_of(k))]);
-                });
-    for (Parcel& parcel : ranks.swap(parcels))
-      if (!parcel.empty())
-        arrived.push_back(std::move(parcel));
-  }
-  rearrange(set, set.block_start.size(), stays, arrived);
 }
 
 } // namespace
@@ -195,11 +158,12 @@ void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rect
 void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
   deal_out_blocks(ground, ranks, std::move(structures));
   for (Particles& set : ground.sets) {
-    std::vector<bool> stays(set.size());
-    with_blocks(set, 0, set.size(), [&](std::size_t k, std::size_t block) {
-      stays[k] = ground.share->is_mine(block % ground.tiles.count());
-    });
-    rearrange(set, all_blocks(ground), stays, {});
+    Journey journey(ranks, set);
+    for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block)
+      if (ground.share->is_mine(block % ground.tiles.count()))
+        for (auto [k, end] = set.in_block(block); k < end; ++k)
+          journey.stay(k);
+    journey.arrive(set, all_blocks(ground));
   }
   resize_fields(ground.grid, ground.grid.size());
 }
@@ -207,12 +171,14 @@ void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::R
 void make_whole(Ground& ground) {
   Communicator& ranks = *ground.share->ranks;
   for (Particles& set : ground.sets) {
-    Parcel own;
-    with_blocks(set, 0, set.size(), [&](std::size_t k, std::size_t block) { pack(set, k, block, own); });
-    std::vector<Parcel> of_others(static_cast<std::size_t>(ranks.size()), own);
-    of_others = ranks.swap(of_others);
-    of_others[static_cast<std::size_t>(ranks.rank())].clear();
-    rearrange(set, all_blocks(ground), {}, of_others);
+    Journey journey(ranks, set);
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      journey.stay(k);
+      for (int rank = 0; rank < ranks.size(); ++rank)
+        if (rank != ranks.rank())
+          journey.go(k, rank);
+    }
+    journey.arrive(set, all_blocks(ground));
   }
   ground.share.reset();
   resize_fields(ground.grid, ground.grid.size());
@@ -243,32 +209,38 @@ void move_between_ranks(Ground& ground) {
   share.times.restart(ground.tiles.count());
   const Together together = tiles_together(ground, share.structures, census);
   share.deal = follow(share.deal, ground.tiles, std::move(census.on_lattice), share.ranks->size(), together);
-  for (std::size_t s = 0; s < ground.sets.size(); ++s)
-    move(ground.sets[s], *share.ranks, [&](std::size_t k) { return share.owner(tile_of_particle[s][k]); });
+  for (std::size_t s = 0; s < ground.sets.size(); ++s) {
+    Particles& set = ground.sets[s];
+    Journey journey(*share.ranks, set);
+    for (std::size_t k = 0; k < set.size(); ++k)
+      if (const std::size_t tile = tile_of_particle[s][k]; share.is_mine(tile))
+        journey.stay(k);
+      else
+        journey.go(k, share.owner(tile));
+    if (journey.count() > 0)
+      journey.arrive(set, set.block_start.size());
+  }
 }
 
 GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t more,
                          const AddNumbers& add_numbers) {
-  Communicator& ranks = *ground.share->ranks;
   GatheredSets gathered;
   for (std::size_t s = 0; s < ground.sets.size(); ++s) {
     const Particles& set = ground.sets[s];
-    std::vector<Parcel> parcels = empty_parcels(ranks);
-    with_blocks(set, 0, set.size(), [&](std::size_t k, std::size_t block) {
-      if (!wanted(s, k))
-        return;
-      pack(set, k, block, parcels.front());
-      add_numbers(s, k, parcels.front());
-    });
-    parcels = ranks.swap(parcels);
-    if (ranks.rank() != 0)
-      continue;
-    Particles& copy = gathered.sets.emplace_back();
+    Journey journey(*ground.share->ranks, set);
+    for (std::size_t k = 0; k < set.size(); ++k)
+      if (wanted(s, k))
+        journey.go(k, 0);
+    Particles copy;
     static_cast<KindOfParticles&>(copy) = set;
     copy.more.resize(set.more.size());
     copy.index_of.give(set.index_of.size());
-    gathered.numbers.push_back(rearrange(copy, all_blocks(ground), {}, parcels, more));
+    const auto add = [&](std::size_t k, std::vector<double>& to) { add_numbers(s, k, to); };
+    gathered.numbers.push_back(journey.arrive(copy, all_blocks(ground), {more, add}));
+    gathered.sets.push_back(std::move(copy));
   }
+  if (ground.share->ranks->rank() != 0)
+    return {};
   return gathered;
 }
 
