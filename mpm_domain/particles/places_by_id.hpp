@@ -28,7 +28,7 @@ public:
   void put(std::size_t id, std::size_t place) { after_[id] = static_cast<std::uint32_t>(place) + 1; }
   void remove(std::size_t id) { after_[id] = 0; }
   /// Takes all ids back.
-  void clear() { after_ = {}; }
+  void clear() { after_ = ZeroPages<std::uint32_t>(); }
 
   /// act(place) for all particles that are somewhere, in the order of their ids.
   template <typename Act>
