@@ -1,12 +1,12 @@
 #include "results/checkpoint_file.hpp"
-#include "results/frame_writer.hpp"
+#include "results/frames/frame_writer.hpp"
+#include "results/frames/xdmf.hpp"
 #include "results/hdf5/array_in_pieces.hpp"
 #include "results/hdf5/growing_dataset.hpp"
 #include "results/hdf5/hdf5_write.hpp"
 #include "results/paraview/vtkhdf.hpp"
 #include "results/run_file.hpp"
 #include "results/run_status.hpp"
-#include "results/xdmf.hpp"
 
 #include <unistd.h>
 

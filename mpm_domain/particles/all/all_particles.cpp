@@ -48,6 +48,9 @@ const std::vector<double>* field_of(const Particles& set, std::size_t number) {
 
 constexpr double no_place = Particles::nowhere;
 
+/// Goes with what particles carry.
+const ShownQuantity none;
+
 } // namespace
 
 void AllParticles::show(std::span<const ShownQuantity> shown, const std::function<void()>& read) {
@@ -70,8 +73,7 @@ void AllParticles::show(std::span<const ShownQuantity> shown, const std::functio
   }
   for (Question question = follow_first({}); question.asked != Asked::nothing_more;
        question = follow_first({}))
-    rows_of_all(question,
-                answer(question, question.asked == Asked::shown ? &shown[question.number] : nullptr));
+    rows_of_all(question, answer(question, question.asked == Asked::shown ? shown[question.number] : none));
 }
 
 std::size_t AllParticles::size(std::size_t set) const {
@@ -83,31 +85,31 @@ const std::vector<std::size_t>& AllParticles::block_start(std::size_t set) const
 }
 
 void AllParticles::ids(std::size_t set, const TakeNumbers& take) const {
-  read({.asked = Asked::id, .set = set}, size(set), nullptr, take);
+  read({.asked = Asked::id, .set = set}, size(set), none, take);
 }
 
 void AllParticles::field(std::size_t set, std::size_t number, const TakeNumbers& take) const {
   if (!has_ranks())
     return take(*field_of(ground_.sets[set], number));
-  read({.asked = Asked::field, .number = number, .set = set}, size(set), nullptr, take);
+  read({.asked = Asked::field, .number = number, .set = set}, size(set), none, take);
 }
 
 void AllParticles::state(std::size_t set, const TakeNumbers& take) const {
   if (!has_ranks())
     return take(ground_.sets[set].state);
-  read({.asked = Asked::state, .set = set}, size(set), nullptr, take);
+  read({.asked = Asked::state, .set = set}, size(set), none, take);
 }
 
 void AllParticles::places(std::size_t set, const TakeNumbers& take) const {
-  read({.asked = Asked::place, .set = set}, id_count(set), nullptr, take);
+  read({.asked = Asked::place, .set = set}, id_count(set), none, take);
 }
 
 void AllParticles::in_order_of_ids(std::size_t set, const ShownQuantity& quantity,
                                    const TakeNumbers& take) const {
-  read({.asked = Asked::shown, .number = quantity.number, .set = set}, id_count(set), &quantity, take);
+  read({.asked = Asked::shown, .number = quantity.number, .set = set}, id_count(set), quantity, take);
 }
 
-void AllParticles::read(Question question, std::size_t places, const ShownQuantity* shown,
+void AllParticles::read(Question question, std::size_t places, const ShownQuantity& shown,
                         const TakeNumbers& take) const {
   for (question.first = 0; question.first < places; question.first = question.end) {
     question.end = std::min(question.first + most_, places);
@@ -126,7 +128,7 @@ AllParticles::Question AllParticles::follow_first(const Question& question) cons
   return {static_cast<Asked>(whole(0)), whole(1), whole(2), whole(3), whole(4)};
 }
 
-AllParticles::Answer AllParticles::answer(const Question& question, const ShownQuantity* shown) const {
+AllParticles::Answer AllParticles::answer(const Question& question, const ShownQuantity& shown) const {
   const Particles& set = ground_.sets[question.set];
   switch (question.asked) {
   case Asked::nothing_more:
@@ -147,7 +149,7 @@ AllParticles::Answer AllParticles::answer(const Question& question, const ShownQ
               to.push_back(static_cast<double>(place(s, k)));
             }};
   case Asked::shown:
-    return {shown->width, shown->of_set(question.set)};
+    return {shown.width, shown.of_set(question.set)};
   }
   return {};
 }
@@ -202,6 +204,8 @@ std::vector<double> AllParticles::rows_of_all(const Question& question, const An
   Communicator& ranks = *ground_.share->ranks;
   std::vector<std::vector<double>> lists(static_cast<std::size_t>(ranks.size()));
   std::vector<double>& own = lists.front();
+  own.reserve(std::min(question.end - question.first, ground_.sets[question.set].size()) *
+              (1 + answer.width));
   for_own(question, [&](std::size_t place, std::size_t k) {
     own.push_back(static_cast<double>(place - question.first));
     answer.numbers(k, own);

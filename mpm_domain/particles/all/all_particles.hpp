@@ -22,8 +22,8 @@ using NumbersOfParticle = std::function<void(std::size_t k, std::vector<double>&
 
 /// A quantity that is worked out from what particles carry, such as a field of a frame.
 struct ShownQuantity {
-  std::size_t number; ///< among those that ranks have agreed on
-  std::size_t width;  ///< numbers of a particle
+  std::size_t number = 0; ///< among those that ranks have agreed on
+  std::size_t width = 1;  ///< numbers of a particle
   std::function<NumbersOfParticle(std::size_t set)> of_set;
 };
 
@@ -80,12 +80,12 @@ private:
 
   bool has_ranks() const { return ground_.share.has_value(); }
   Question follow_first(const Question& question) const;
-  Answer answer(const Question& question, const ShownQuantity* shown) const;
+  Answer answer(const Question& question, const ShownQuantity& shown) const;
   template <typename Act>
   void for_own(const Question& question, const Act& act) const;
   std::vector<double> own_rows(const Question& question, const Answer& answer) const;
   std::vector<double> rows_of_all(const Question& question, const Answer& answer) const;
-  void read(Question question, std::size_t places, const ShownQuantity* shown, const TakeNumbers& take) const;
+  void read(Question question, std::size_t places, const ShownQuantity& shown, const TakeNumbers& take) const;
   std::size_t place(std::size_t set, std::size_t k) const;
 
   const Ground& ground_;

@@ -1,4 +1,4 @@
-#include "results/frame_writer.hpp"
+#include "results/frames/frame_writer.hpp"
 
 #include "results/hdf5/array_in_pieces.hpp"
 

@@ -1,4 +1,4 @@
-#include "results/xdmf.hpp"
+#include "results/frames/xdmf.hpp"
 
 #include "base/text/text_file.hpp"
 

@@ -16,7 +16,7 @@ namespace tremolo::results {
 
 /// Fields at one time, which all have values for as many points.
 struct PointFields {
-  std::string what; ///< the points are, for messages
+  std::string what; ///< a point is, for messages
   std::size_t points = 0;
   std::vector<StreamedField> fields;
 };
