@@ -6,6 +6,7 @@
 #include "mpm_domain/particles/fill/fill.hpp"
 #include "mpm_domain/particles/fill/fill_bodies.hpp"
 #include "mpm_domain/particles/fill/fill_together.hpp"
+#include "mpm_domain/particles/room.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/particles/water/rest_pressure.hpp"
 #include "mpm_domain/particles/wave_speed.hpp"
@@ -327,6 +328,8 @@ Ground::Ground(const Spec& specification, Communicator* ranks)
   const mesh::Quadtree* const tree = mesh ? &mesh->tree() : nullptr;
   sets = ranks != nullptr ? fill_together(spec, head, tree, *ranks) : fill(spec, head, tree);
   soil_sets = sets.size();
+  for (Particles& set : sets)
+    spread_out(set);
   if (ranks != nullptr)
     share.emplace(RankShare{.ranks = ranks, .deal = {}});
   for (Particles& set : fill_bodies(spec, head, soil_lattice_count() - 1)) {

@@ -1,5 +1,6 @@
 #include "mpm_domain/particles/journey.hpp"
 
+#include "mpm_domain/particles/room.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 
 #include <algorithm>
@@ -163,7 +164,7 @@ std::vector<double> Journey::arrive(Particles& at, std::size_t blocks, const Lug
         continue;
       }
       std::vector<double> values;
-      values.reserve(order.size());
+      values.reserve(room_for(order.size(), c));
       for (const std::uint32_t source : order)
         values.push_back(value_of(source));
       *targets[c].array = std::move(values);
