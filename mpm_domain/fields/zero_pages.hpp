@@ -10,8 +10,10 @@
 #include <sys/mman.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -28,18 +30,24 @@ public:
   /// @throws std::bad_alloc
   Number* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(Number);
-    void* const memory = is_mapped(bytes) ? ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
-                                                   MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)
-                                          : std::calloc(count, sizeof(Number));
-    if (memory == nullptr || memory == MAP_FAILED)
+    if (!is_mapped(bytes)) {
+      void* const memory = std::calloc(count, sizeof(Number));
+      if (memory == nullptr)
+        throw std::bad_alloc();
+      return static_cast<Number*>(memory);
+    }
+    void* const pages = ::mmap(nullptr, bytes + page, PROT_READ | PROT_WRITE,
+                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (pages == MAP_FAILED)
       throw std::bad_alloc();
-    return static_cast<Number*>(memory);
+    return reinterpret_cast<Number*>(static_cast<std::byte*>(pages) + offset_in(pages));
   }
   void deallocate(Number* memory, std::size_t count) {
-    if (is_mapped(count * sizeof(Number)))
-      ::munmap(memory, count * sizeof(Number));
-    else
-      std::free(memory);
+    const std::size_t bytes = count * sizeof(Number);
+    if (!is_mapped(bytes))
+      return std::free(memory);
+    const std::size_t within = reinterpret_cast<std::uintptr_t>(memory) % page;
+    ::munmap(reinterpret_cast<std::byte*>(memory) - within, bytes + page);
   }
   /// New numbers are zero already.
   template <typename Other>
@@ -55,6 +63,14 @@ public:
   }
 
 private:
+  static constexpr std::size_t page = 4096;
+
+  /// Arrays begin at different places of their first pages, a multiple of a cache's line from its start:
+  /// those that are read side by side would take turns in the same few lines.
+  static std::size_t offset_in(const void* pages) {
+    constexpr std::size_t line = 64;
+    return reinterpret_cast<std::uintptr_t>(pages) / page * 37 % 61 * line;
+  }
   static bool is_mapped(std::size_t bytes) {
     constexpr std::size_t least = std::size_t{1} << 18; // a system call costs more than to clear less
     return bytes >= least;
