@@ -1,0 +1,67 @@
+// Memory of ranks that fill a domain together, sort it, bring it to rest and shake it: a share each.
+
+#include "mpm_domain/gravity/static_stages.hpp"
+#include "mpm_domain/gravity/static_traction.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
+#include "mpm_domain/step/stepper.hpp"
+#include "tests/support/box_run.hpp"
+#include "tests/support/quiet_ground.hpp"
+#include "tests/unit/mpm_domain/ranks/test_ranks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+namespace tremolo {
+namespace {
+
+using mpm_domain::Domain;
+
+/// A line of /proc/self/status, bytes.
+double status(const std::string& wanted) {
+  std::ifstream file("/proc/self/status");
+  std::string line;
+  while (std::getline(file, line))
+    if (line.starts_with(wanted + ":"))
+      return 1024.0 * std::stod(line.substr(wanted.size() + 1));
+  return 0.0;
+}
+
+/// From now on the peak of the memory of this process counts anew.
+void forget_peak() {
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+TEST(MemoryOfRanks, IsThatOfTheirShares) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  if (ranks.size() < 4)
+    GTEST_SKIP() << "the shares of fewer than four ranks are not small beside the whole";
+  mpm_domain::Spec spec = test_support::elastic_box(3200.0, 64.0, 1.0);
+  spec.gravity = 9.81;
+  constexpr double particles = 4.0 * 3200.0 * 64.0;
+  // Fields of a particle, and of a quarter of a node: 143 MB.
+  constexpr double whole = particles * (136.0 + 34.0 + 4.0);
+
+  forget_peak();
+  const double before = status("VmRSS");
+  Domain domain(spec, &ranks);
+  mpm_domain::StaticStages stages(
+      domain, {.residual = 0.5}, {}, [](std::size_t, long, double) {}, &ranks);
+  stages.next();
+  replace_constraints(domain, stages.finish());
+  mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
+  stepper.step();
+  sort_particles(domain);
+  stepper.step();
+  double taken = status("VmHWM") - before;
+  ranks.largest({&taken, 1});
+  RecordProperty("megabytes", std::to_string(1e-6 * taken));
+  const double share = whole / ranks.size();
+  EXPECT_GT(taken, 0.5 * share);
+  EXPECT_LT(taken, 2.0 * share);
+}
+
+} // namespace
+} // namespace tremolo
