@@ -23,7 +23,9 @@ void take_velocity_of_grid(Domain& domain) {
   grid.vy_after = grid.vy_before;
   // FLIP adds the change of the grid's velocity to that of a particle; here both start from zero.
   Particles& p = domain.sets.front();
-  for (std::vector<double>* v : {&p.vx, &p.vy, &grid.vx_before, &grid.vy_before})
+  for (std::vector<double>* v : {&p.vx, &p.vy})
+    std::ranges::fill(*v, 0.0);
+  for (NodeField* v : {&grid.vx_before, &grid.vy_before})
     std::ranges::fill(*v, 0.0);
   gather(domain, 1.0, {.velocity = true});
 }

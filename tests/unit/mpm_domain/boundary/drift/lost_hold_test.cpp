@@ -63,7 +63,7 @@ public:
     for (Particles& set : domain_.sets)
       for (std::size_t k = 0; k < set.size(); ++k)
         set.sxx[k] = set.syy[k] = set.szz[k] = 1700.0 * 9.81 * set.y[k];
-    hold_.emplace(domain_, domain_.boundary, true, 1.0);
+    hold_.emplace(domain_, domain_.sets, domain_.boundary, true, 1.0);
   }
   /// The free field moves to the left, m/s, until so many faces of the left side pull with more than the
   /// strength of their soil.

@@ -34,7 +34,8 @@ public:
 
   /// A value of the point nearest to x, y.
   double value(double x, double y, const std::string& column) {
-    const FollowedPoint point(at_start_, {x, y}); // as output does, which begins before anything moves
+    const FollowedPoint point(at_start_, at_start_.sets,
+                              {x, y}); // as output does, which begins before anything moves
     std::vector<double> row;
     point.append_values(Snapshot(domain_), stepper_, false, row);
     const auto columns = FollowedPoint::columns(scene::parse(scene::testing::flat_case, "flat.toml", "."));
@@ -96,7 +97,7 @@ TEST(FollowedPoint, TooFewParticlesHaveNoStrain) {
   Domain domain(spec);
   Stepper stepper(domain, 0.0, test_support::quiet_ground());
   stepper.step();
-  const FollowedPoint point(domain, {4.25, -0.25});
+  const FollowedPoint point(domain, domain.sets, {4.25, -0.25});
   std::vector<double> row;
   point.append_values(Snapshot(domain), stepper, false, row);
   EXPECT_TRUE(std::isnan(row.back()));
