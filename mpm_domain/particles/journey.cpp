@@ -47,7 +47,8 @@ std::vector<double> joined(std::vector<std::vector<double>> lists) {
 } // namespace
 
 Journey::Journey(Communicator& ranks, const Particles& from)
-    : ranks_(ranks), from_(from), to_(static_cast<std::size_t>(ranks.size())) {}
+    : ranks_(ranks), from_(from), size_(static_cast<std::uint32_t>(from.size())),
+      to_(static_cast<std::size_t>(ranks.size())) {}
 
 std::uint32_t Journey::block_of(std::size_t k) {
   const std::vector<std::size_t>& start = from_.block_start;
@@ -79,28 +80,37 @@ Journey::Lists Journey::exchange(const Add& add) const {
   return ranks_.swap(lists);
 }
 
-/// The particles that are to be, in their order: those that stay by their numbers, and behind these, those
-/// that come.
-std::vector<std::uint32_t> Journey::order_of(const Lists& heads) const {
+/// Finds who is to be there, from the blocks and ids of those that come.
+Journey::Arrived Journey::in_order(const std::vector<double>& heads, std::size_t blocks) const {
   std::vector<Arrival> arrivals;
-  for (const std::vector<double>& head : heads)
-    for (std::size_t i = 0; i < head.size(); i += head_numbers)
-      arrivals.push_back({static_cast<std::uint32_t>(head[i]), static_cast<std::uint32_t>(arrivals.size())});
+  for (std::size_t i = 0; i < heads.size(); i += head_numbers)
+    arrivals.push_back({static_cast<std::uint32_t>(heads[i]), static_cast<std::uint32_t>(arrivals.size())});
   std::ranges::stable_sort(arrivals, {}, &Arrival::block);
-  std::vector<std::uint32_t> order;
-  order.reserve(staying_.size() + arrivals.size());
+  Arrived arrived;
+  arrived.block_start.assign(blocks + 1, 0);
+  arrived.sources.reserve(staying_.size() + arrivals.size());
+  arrived.ids.reserve(staying_.size() + arrivals.size());
+  const auto add = [&](std::uint32_t source, std::size_t block, std::uint32_t id) {
+    arrived.sources.push_back(source);
+    arrived.ids.push_back(id);
+    ++arrived.block_start[block + 1];
+  };
   auto next = arrivals.begin();
+  const auto add_up_to = [&](std::size_t block) {
+    for (; next != arrivals.end() && next->block < block; ++next)
+      add(size_ + next->number, next->block,
+          static_cast<std::uint32_t>(heads[next->number * head_numbers + 1]));
+  };
   std::size_t block = 0;
   for (const std::uint32_t k : staying_) {
     while (block + 1 < from_.block_start.size() && k >= from_.block_start[block + 1])
       ++block;
-    for (; next != arrivals.end() && next->block < block; ++next)
-      order.push_back(static_cast<std::uint32_t>(from_.size()) + next->number);
-    order.push_back(k);
+    add_up_to(block);
+    add(k, block, from_.id[k]);
   }
-  for (; next != arrivals.end(); ++next)
-    order.push_back(static_cast<std::uint32_t>(from_.size()) + next->number);
-  return order;
+  add_up_to(blocks);
+  std::partial_sum(arrived.block_start.begin(), arrived.block_start.end(), arrived.block_start.begin());
+  return arrived;
 }
 
 /// The same on all ranks: all columns, where few particles are on the way.
@@ -114,82 +124,69 @@ std::size_t Journey::columns_at_once(std::size_t columns) const {
                     std::size_t{1}, columns);
 }
 
-std::vector<double> Journey::arrive(Particles& at, std::size_t blocks, const Luggage& luggage) {
-  Lists heads = exchange([&](const Traveller& traveller, std::vector<double>& list) {
-    list.insert(list.end(),
-                {static_cast<double>(traveller.block), static_cast<double>(from_.id[traveller.k])});
-  });
-  const std::vector<std::uint32_t> order = order_of(heads);
-  const auto before = static_cast<std::uint32_t>(from_.size());
-
-  const std::vector<double> head = joined(std::move(heads));
-  std::vector<std::uint32_t> ids;
-  std::vector<std::size_t> start(blocks + 1, 0);
-  ids.reserve(order.size());
-  std::size_t block = 0;
-  for (const std::uint32_t source : order) {
-    if (source < before) {
-      ids.push_back(from_.id[source]);
-      while (block + 1 < from_.block_start.size() && source >= from_.block_start[block + 1])
-        ++block;
-      ++start[block + 1];
-    } else {
-      const double* const of_one = &head[(source - before) * head_numbers];
-      ids.push_back(static_cast<std::uint32_t>(of_one[1]));
-      ++start[static_cast<std::size_t>(of_one[0]) + 1];
-    }
-  }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-
-  const auto sources = columns_of<const std::vector<double>>(from_);
-  std::vector<double> state(order.size() * from_.state_size);
-  auto targets = columns_of<std::vector<double>>(at);
-  const std::size_t width = columns_at_once(sources.size());
-  for (std::size_t first = 0; first < sources.size(); first += width) {
-    const std::size_t end = std::min(first + width, sources.size());
+/// Fills the fields and the state of a set, some columns at a time.
+void Journey::bring_columns(const std::vector<std::uint32_t>& sources, Particles& at) const {
+  const auto given = columns_of<const std::vector<double>>(from_);
+  const auto taken = columns_of<std::vector<double>>(at);
+  std::vector<double> state(sources.size() * from_.state_size);
+  const std::size_t width = columns_at_once(given.size());
+  for (std::size_t first = 0; first < given.size(); first += width) {
+    const std::size_t end = std::min(first + width, given.size());
     const std::vector<double> come =
         joined(exchange([&](const Traveller& traveller, std::vector<double>& list) {
           for (std::size_t c = first; c < end; ++c)
-            list.push_back((*sources[c].array)[traveller.k * sources[c].step + sources[c].first]);
+            list.push_back((*given[c].array)[traveller.k * given[c].step + given[c].first]);
         }));
     for (std::size_t c = first; c < end; ++c) {
-      const auto& [array, offset, step] = sources[c];
+      const auto& [array, offset, step] = given[c];
       const auto value_of = [&](std::uint32_t source) {
-        return source < before ? (*array)[source * step + offset]
-                               : come[(source - before) * (end - first) + c - first];
+        return source < size_ ? (*array)[source * step + offset]
+                              : come[(source - size_) * (end - first) + c - first];
       };
       if (array == &from_.state) {
-        for (std::size_t n = 0; n < order.size(); ++n)
-          state[n * step + offset] = value_of(order[n]);
+        for (std::size_t n = 0; n < sources.size(); ++n)
+          state[n * step + offset] = value_of(sources[n]);
         continue;
       }
       std::vector<double> values;
-      values.reserve(room_for(order.size(), c));
-      for (const std::uint32_t source : order)
+      values.reserve(room_for(sources.size(), c));
+      for (const std::uint32_t source : sources)
         values.push_back(value_of(source));
-      *targets[c].array = std::move(values);
+      *taken[c].array = std::move(values);
     }
   }
-  std::vector<double> besides;
-  if (luggage.count > 0) {
-    const std::vector<double> come = joined(exchange(
-        [&](const Traveller& traveller, std::vector<double>& list) { luggage.add(traveller.k, list); }));
-    for (const std::uint32_t source : order)
-      if (source >= before) {
-        const auto of_one = come.begin() + static_cast<std::ptrdiff_t>((source - before) * luggage.count);
-        besides.insert(besides.end(), of_one, of_one + static_cast<std::ptrdiff_t>(luggage.count));
-      }
-  }
-
-  if (&at == &from_)
-    for (const std::uint32_t id : at.id)
-      at.index_of.remove(id);
-  at.id = std::move(ids);
   at.state = std::move(state);
-  at.block_start = std::move(start);
+}
+
+std::vector<double> Journey::bring(const Luggage& luggage, const std::vector<std::uint32_t>& sources) const {
+  std::vector<double> brought;
+  if (luggage.count == 0)
+    return brought;
+  const std::vector<double> come = joined(exchange(
+      [&](const Traveller& traveller, std::vector<double>& list) { luggage.add(traveller.k, list); }));
+  for (const std::uint32_t source : sources)
+    if (source >= size_) {
+      const auto of_one = come.begin() + static_cast<std::ptrdiff_t>((source - size_) * luggage.count);
+      brought.insert(brought.end(), of_one, of_one + static_cast<std::ptrdiff_t>(luggage.count));
+    }
+  return brought;
+}
+
+std::vector<double> Journey::arrive(Particles& at, std::size_t blocks, const Luggage& luggage) {
+  Arrived arrived = in_order(joined(exchange([&](const Traveller& traveller, std::vector<double>& list) {
+                               list.insert(list.end(), {static_cast<double>(traveller.block),
+                                                        static_cast<double>(from_.id[traveller.k])});
+                             })),
+                             blocks);
+  std::vector<double> brought = bring(luggage, arrived.sources);
+  bring_columns(arrived.sources, at);
+  for (const std::uint32_t id : at.id)
+    at.index_of.remove(id);
+  at.id = std::move(arrived.ids);
+  at.block_start = std::move(arrived.block_start);
   for (std::size_t k = 0; k < at.id.size(); ++k)
     at.index_of.put(at.id[k], k);
-  return besides;
+  return brought;
 }
 
 } // namespace tremolo::mpm_domain

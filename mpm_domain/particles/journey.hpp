@@ -56,16 +56,26 @@ private:
   };
   using Lists = std::vector<std::vector<double>>; ///< by rank
 
+  /// Those that are there then, in order.
+  struct Arrived {
+    std::vector<std::uint32_t> sources; ///< a place in the set; from size_ on, which of those that have come
+    std::vector<std::uint32_t> ids;
+    std::vector<std::size_t> block_start;
+  };
+
   std::uint32_t block_of(std::size_t k);
   /// Numbers of those that leave, rank by rank, go to the ranks and come from them.
   /// @param add  (particle, list) adds those of one
   template <typename Add>
   Lists exchange(const Add& add) const;
-  std::vector<std::uint32_t> order_of(const Lists& heads) const;
+  Arrived in_order(const std::vector<double>& heads, std::size_t blocks) const;
   std::size_t columns_at_once(std::size_t columns) const;
+  void bring_columns(const std::vector<std::uint32_t>& sources, Particles& at) const;
+  std::vector<double> bring(const Luggage& luggage, const std::vector<std::uint32_t>& sources) const;
 
   Communicator& ranks_;
   const Particles& from_;
+  std::uint32_t size_;                     ///< of the set, before anybody has left
   std::vector<std::vector<Traveller>> to_; ///< by rank
   std::vector<std::uint32_t> staying_;
   std::size_t block_ = 0; ///< of the particle named last
