@@ -17,8 +17,7 @@ namespace tremolo::mpm_domain {
 /// @param size   numbers that it holds
 /// @param array  its number among those that are read side by side
 inline std::size_t room_for(std::size_t size, std::size_t array) {
-  constexpr std::size_t long_one = std::size_t{1}
-                                   << 20; // for shorter ones it gained nothing
+  constexpr std::size_t long_one = std::size_t{1} << 20; // fewer numbers gained nothing
   constexpr std::size_t page = 4096 / sizeof(double);
   return size < long_one ? size : size + 37 * array % 61 * page;
 }
