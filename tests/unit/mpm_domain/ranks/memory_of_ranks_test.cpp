@@ -36,8 +36,6 @@ void forget_peak() {
 TEST(MemoryOfRanks, IsThatOfTheirShares) {
   TREMOLO_NEED_RANKS();
   mpm_domain::Communicator& ranks = *test_support::test_ranks();
-  if (ranks.size() < 4)
-    GTEST_SKIP() << "the shares of fewer than four ranks are not small beside the whole";
   mpm_domain::Spec spec = test_support::elastic_box(3200.0, 64.0, 1.0);
   spec.gravity = 9.81;
   constexpr double particles = 4.0 * 3200.0 * 64.0;
