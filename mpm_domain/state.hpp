@@ -10,6 +10,7 @@
 #include "mpm_domain/domain.hpp"
 #include "mpm_domain/fields/saved_numbers.hpp"
 #include "mpm_domain/particles/all/all_particles.hpp"
+#include "mpm_domain/particles/room.hpp"
 #include "mpm_domain/particles/share_out.hpp"
 
 #include <fmt/format.h>
@@ -61,14 +62,20 @@ void save(const AllParticles& all, std::size_t s, const Particles& set, Writer& 
 /// @param rows   the places of these, among the particles of a set
 /// @param size   particles of the set
 /// @param width  numbers of each
+/// @param array  its number among those that are read side by side
 /// @throws std::runtime_error if the array has another length
 template <class Reader>
 std::vector<double> numbers_at(const Reader& from, const std::string& name,
-                               std::span<const ParticleRange> rows, std::size_t size, std::size_t width) {
+                               std::span<const ParticleRange> rows, std::size_t size, std::size_t width,
+                               std::size_t array) {
   if (from.size(name) != size * width)
     throw std::runtime_error(fmt::format("the checkpoint holds {} numbers of {}, the domain has {}",
                                          from.size(name), name, size * width));
+  std::size_t count = 0;
+  for (const auto& [begin, end] : rows)
+    count += (end - begin) * width;
   std::vector<double> numbers;
+  numbers.reserve(room_for(count, array));
   for (const auto& [begin, end] : rows) {
     const std::vector<double> part = from.numbers(name, begin * width, (end - begin) * width);
     numbers.insert(numbers.end(), part.begin(), part.end());
@@ -85,10 +92,11 @@ void restore(Particles& set, const std::string& name, std::span<const ParticleRa
   for (const auto& [begin, end] : places)
     for (const std::uint64_t id : from.integers(name + ".id", begin, end - begin))
       set.id.push_back(static_cast<std::uint32_t>(id));
+  std::size_t array = 0;
   set.for_fields([&](const ParticleFieldDescription& line, std::vector<double>& values) {
-    values = numbers_at(from, name + "." + line.name, places, size, 1);
+    values = numbers_at(from, name + "." + line.name, places, size, 1, array++);
   });
-  set.state = numbers_at(from, name + ".state", places, size, set.state_size);
+  set.state = numbers_at(from, name + ".state", places, size, set.state_size, array);
   set.index_of.clear();
   set.index_of.give(from.size(name + ".index_of"));
   for (std::size_t k = 0; k < set.id.size(); ++k)

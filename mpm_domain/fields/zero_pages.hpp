@@ -49,7 +49,7 @@ public:
     const std::size_t within = reinterpret_cast<std::uintptr_t>(memory) % page;
     ::munmap(reinterpret_cast<std::byte*>(memory) - within, bytes + page);
   }
-  /// New numbers are zero already.
+  /// New numbers are zero already; not so in an array that has shrunk and grows again (set_to_zeros()).
   template <typename Other>
   void construct(Other* /*number*/) {}
   template <typename Other, typename Value>

@@ -1,10 +1,12 @@
 #include "mpm_domain/gravity/static_stages.hpp"
 
+#include "mpm_domain/dispersion/fullness.hpp"
 #include "mpm_domain/gravity/construction.hpp"
 #include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/ranks/passed_state.hpp"
 #include "mpm_domain/tiles/totals.hpp"
+#include "mpm_domain/transfer/scatter.hpp"
 
 #include <fmt/format.h>
 
@@ -230,7 +232,9 @@ void StaticStages::end_stage() {
   model_->props.lock();
   relaxation_->finish();
   relaxation_.reset();
-  if (ranks_ != nullptr && !is_filled_together_)
+  if (is_filled_together_)
+    model_->share->times.restart(model_->tiles.count()); // steps of the shaking cost something else
+  else if (ranks_ != nullptr)
     gather_model();
 }
 
@@ -248,6 +252,11 @@ void StaticStages::gather_model() {
   if (slips)
     read_integers(of_first, "slipping", *slipping_);
   make_whole(*model_);
+  if (!model_->is_sharp())
+    return;
+  // The faces' weights at rest depend on where nodes have soil around them.
+  scatter(*model_, ScatterPart::motion);
+  find_fullness(*model_);
 }
 
 /// Likewise after a stage that has found no rest, with the velocity with which nodes go on.

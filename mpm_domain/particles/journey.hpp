@@ -1,7 +1,7 @@
 #pragma once
 
 // Particles of a set on their way between ranks. They go by quantities, as many at a time as are little
-// beside a rank's share, so that no rank ever has its particles twice.
+// beside a rank's share, so that no rank has the fields of its particles twice.
 //
 // The particles of a block come from one rank, in their order. So those of all ranks are in order again when
 // they stand block by block.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -22,6 +23,15 @@ public:
 
   /// Gives more ids, whose particles are nowhere yet.
   void give(std::size_t size) {
+    if (size > after_.capacity() && !after_.empty()) {
+      ZeroPages<std::uint32_t> more;
+      more.reserve(2 * size);
+      more.resize(after_.size());
+      for (std::size_t id = 0; id < after_.size(); ++id)
+        if (after_[id] > 0) // other pages stay untouched
+          more[id] = after_[id];
+      after_ = std::move(more);
+    }
     if (size > after_.size())
       after_.resize(size);
   }

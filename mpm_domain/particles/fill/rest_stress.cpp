@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,16 +37,31 @@ struct PieceOfColumn {
 };
 constexpr std::size_t piece_numbers = 4;
 
+/// The pieces column after column, each from the top down.
+/// @param columns  of the model
+std::vector<std::size_t> from_the_top_down(const std::vector<PieceOfColumn>& pieces, std::size_t columns) {
+  std::vector<std::size_t> begin(columns + 1, 0);
+  for (const PieceOfColumn& piece : pieces)
+    ++begin[static_cast<std::size_t>(piece.column) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::size_t> next = begin;
+  std::vector<std::size_t> order(pieces.size());
+  for (std::size_t n = 0; n < pieces.size(); ++n)
+    order[next[static_cast<std::size_t>(pieces[n].column)]++] = n;
+  for (std::size_t c = 0; c < columns; ++c)
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(begin[c]),
+                     order.begin() + static_cast<std::ptrdiff_t>(begin[c + 1]),
+                     [&](std::size_t a, std::size_t b) { return pieces[a].y > pieces[b].y; });
+  return order;
+}
+
 /// The stress of the pieces of some columns, in their order, by what lies above each.
+/// @param columns      of the model
 /// @param cavities_at  (number of a column) the lowest and highest points of cavities there
 template <typename CavitiesAt>
-std::vector<double> overburdens(const std::vector<PieceOfColumn>& pieces, const CavitiesAt& cavities_at) {
-  std::vector<std::size_t> order(pieces.size());
-  for (std::size_t n = 0; n < order.size(); ++n)
-    order[n] = n;
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-    return std::pair(pieces[a].column, -pieces[a].y) < std::pair(pieces[b].column, -pieces[b].y);
-  });
+std::vector<double> overburdens(const std::vector<PieceOfColumn>& pieces, std::size_t columns,
+                                const CavitiesAt& cavities_at) {
+  const std::vector<std::size_t> order = from_the_top_down(pieces, columns);
   std::vector<double> stress(pieces.size());
   std::vector<std::pair<double, double>> cavities;
   const PieceOfColumn* above = nullptr;
@@ -78,7 +94,7 @@ Lists swap(Lists lists, Communicator* ranks) {
 
 void set_rest_stress(std::span<Particles> sets, const Spec& spec,
                      const std::function<bool(std::size_t, std::size_t)>& concerns, Communicator* ranks) {
-  const int finest = std::ranges::max(sets, {}, &Particles::level).level;
+  const int finest = std::ranges::max_element(sets, {}, &Particles::level)->level;
   const double width = particle_size(spec, finest);
   const auto columns = static_cast<std::size_t>(std::lround((spec.box.x_max - spec.box.x_min) / width));
   const auto rank_count = static_cast<std::size_t>(ranks != nullptr ? ranks->size() : 1);
@@ -92,7 +108,7 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec,
         const auto first =
             static_cast<std::size_t>((set.x[k] - set.half_size + 0.5 * width - spec.box.x_min) / width);
         for (std::size_t c = first; c < first + (std::size_t{1} << (finest - set.level)); ++c)
-          act(sets[s], k, c, std::min(c, columns - 1) * rank_count / columns);
+          act(sets[s], k, c, c * rank_count / columns);
       }
   };
 
@@ -111,7 +127,7 @@ void set_rest_stress(std::span<Particles> sets, const Spec& spec,
       pieces.push_back({numbers[n], numbers[n + 1], numbers[n + 2], numbers[n + 3]});
     of_rank.push_back(numbers.size() / piece_numbers);
   }
-  const std::vector<double> stress = overburdens(pieces, [&](double column) {
+  const std::vector<double> stress = overburdens(pieces, columns, [&](double column) {
     std::vector<std::pair<double, double>> cavities;
     for (const Lining& lining : spec.linings)
       if (const auto chord = chord_at(lining.outline, spec.box.x_min + (column + 0.5) * width))

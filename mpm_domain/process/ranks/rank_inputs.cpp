@@ -1,6 +1,5 @@
 #include "mpm_domain/process/ranks/rank_inputs.hpp"
 
-#include "base/text/text_file.hpp"
 #include "scene/text/files.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,6 +32,20 @@ std::vector<std::filesystem::path> own_files(const scene::Case& scene, const sce
 double crc(const std::string& text) {
   return static_cast<double>(
       ::crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size())); // NOLINT: zlib's type of bytes
+}
+
+/// Of a file that may be large.
+/// @throws std::runtime_error if it cannot be read
+double crc_of_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> block(std::size_t{1} << 20);
+  uLong crc = 0;
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
+    crc = ::crc32_z(crc, reinterpret_cast<const Bytef*>(block.data()), // NOLINT: zlib's type of bytes
+                    static_cast<std::size_t>(file.gcount()));
+  if (!file.eof())
+    throw std::runtime_error(fmt::format("{}: cannot read it", path.string()));
+  return static_cast<double>(crc);
 }
 
 struct Input {
@@ -61,10 +75,10 @@ void require_same_inputs(Communicator& ranks, const scene::Case& scene, const sc
   compare();
   inputs.clear();
   for (const auto& file : own_files(scene, plan))
-    inputs.push_back({file.string(), crc(read_text_file(file))});
+    inputs.push_back({file.string(), crc_of_file(file)});
   if (!options.resume.empty()) {
     const auto file = options.resume / (options.name + ".h5");
-    inputs.push_back({file.string(), crc(read_text_file(file))});
+    inputs.push_back({file.string(), crc_of_file(file)});
   }
   compare();
 }

@@ -89,6 +89,18 @@ const Site sites[] = {
        test_support::add_water(spec, materials::Drainage::coupled);
        test_support::yield(spec);
      }},
+    {"Sharp",
+     [](Spec& spec, auto&) {
+       spec.gravity = 9.81;
+       spec.scheme.dispersion = mpm_domain::Dispersion::reduced;
+     }},
+    {"LoadedSharp",
+     [](Spec& spec, std::vector<StaticStage>& stages) {
+       spec.gravity = 9.81;
+       spec.scheme.dispersion = mpm_domain::Dispersion::reduced;
+       spec.loads = {{.x_min = 20.0, .x_max = 40.5, .pressure = 2e4, .shear = 1e3}};
+       stages = {mpm_domain::LoadSettings{settings(), 0}};
+     }},
     {"LoadedWetGround", load_wet_ground},
     {"BlockThatGoes", build_and_remove},
 };
