@@ -17,6 +17,7 @@
 #include "mpm_domain/process/coupled_faces.hpp"
 #include "mpm_domain/process/output/frames/soil_frame.hpp"
 #include "mpm_domain/process/output/run_output.hpp"
+#include "mpm_domain/process/output/sliding_mass_output.hpp"
 #include "mpm_domain/process/ranks/particles_at_start.hpp"
 #include "mpm_domain/process/ranks/rank_inputs.hpp"
 #include "mpm_domain/process/ranks/shared_memory.hpp"
@@ -223,7 +224,8 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
       restore(domain, *saved);
     if (ranks != nullptr && !domain.share)
       share_out(domain, *ranks);
-    snapshot.follow(followed);
+    snapshot.follow(
+        followed, [&](std::size_t s, std::size_t k) { return is_in_sliding_mass(scene, domain.sets[s], k); });
     Stepper stepper(domain, 0.0, coupled_source(coupled, client, waiting_seconds));
     std::optional<coupler::DomainClient::FirstStep> first;
     if (saved != nullptr) {

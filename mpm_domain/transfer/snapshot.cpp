@@ -30,7 +30,8 @@ Vector Snapshot::acceleration(std::size_t set, std::size_t k) const {
   return {motion[2], motion[3]};
 }
 
-void Snapshot::follow(const std::vector<ParticleName>& followed) {
+void Snapshot::follow(const std::vector<ParticleName>& followed, Wanted also) {
+  also_followed_ = std::move(also);
   if (!ground_.share)
     return;
   std::vector<std::uint64_t> names;
@@ -67,7 +68,7 @@ void Snapshot::show(Extent wanted, const std::function<std::vector<ShownQuantity
 void Snapshot::take_followed() {
   const auto is_wanted = [&](std::size_t set, std::size_t k) {
     const std::uint32_t id = ground_.sets[set].id[k]; // particles that have been cut are not among them
-    return id < followed_[set].size() && followed_[set][id];
+    return (id < followed_[set].size() && followed_[set][id]) || (also_followed_ && also_followed_(set, k));
   };
   copy_ = gather_sets(ground_, is_wanted, numbers_of_motion,
                       [&](std::size_t set, std::size_t k, std::vector<double>& to) {

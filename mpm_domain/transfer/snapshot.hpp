@@ -38,8 +38,10 @@ public:
   /// All particles; where ranks share the domain, while show() is called for them.
   const AllParticles& all() const { return all_; }
 
-  /// Passes to all ranks which particles are followed. That of rank 0 counts; all ranks call it once.
-  void follow(const std::vector<ParticleName>& followed);
+  /// Passes to all ranks which particles are followed. All ranks call it once.
+  /// @param followed  by name: those of rank 0 count
+  /// @param also      others, by what they are, such as quarters of those that have been cut; the same on all
+  void follow(const std::vector<ParticleName>& followed, Wanted also = {});
 
   struct Extent {
     bool followed = false;
@@ -58,6 +60,7 @@ private:
   Ground& ground_;
   AllParticles all_;
   std::vector<std::vector<bool>> followed_; ///< by set and id
+  Wanted also_followed_;                    ///< none: no others are
   GatheredSets copy_;                       ///< with their velocities and accelerations
 };
 

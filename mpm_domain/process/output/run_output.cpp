@@ -84,7 +84,6 @@ RunOutput::RunOutput(const std::filesystem::path& directory, const scene::Case& 
   for (const Followers& followers : followers_)
     for (const FollowedPoint& point : followers.points)
       point.add_followed(followed_);
-  sliding_masses_.add_followed(start.first(domain.soil_sets), followed_);
   writer_.set_boundary(boundary_faces(domain, face_sources));
 }
 

@@ -36,7 +36,7 @@ public:
             Domain& domain, std::span<const Particles> start, const Snapshot& snapshot,
             std::span<const std::string> face_sources);
 
-  /// The particles that have histories.
+  /// The particles that have histories; those of sliding masses are not among them.
   const std::vector<ParticleName>& followed() const { return followed_; }
   /// Fields of the snapshot that are needed after a step, and at the end.
   Snapshot::Extent needs(const Stepper& stepper) const;

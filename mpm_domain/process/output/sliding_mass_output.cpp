@@ -24,6 +24,13 @@ scene::Box bounds(const scene::Polygon& polygon) {
   return {left.x, low.y, right.x, high.y};
 }
 
+/// Whether a particle began within the outline of a mass.
+bool began_within(const scene::SlidingMass& mass, const Particles& set, std::size_t k) {
+  const scene::Polygon& outline = mass.outline.corners;
+  const scene::Point start{set.x_initial[k], set.y_initial[k]};
+  return bounds(outline).contains(start) && scene::contains(outline, start);
+}
+
 /// The positions of the particles of a set that began within an outline, in the order of ids: sums over them
 /// do not depend on how particles are sorted.
 std::vector<std::uint32_t> members(const scene::SlidingMass& mass, const Particles& set) {
@@ -37,10 +44,10 @@ std::vector<std::uint32_t> members(const scene::SlidingMass& mass, const Particl
 
 } // namespace
 
-bool began_within(const scene::SlidingMass& mass, const Particles& set, std::size_t k) {
-  const scene::Polygon& outline = mass.outline.corners;
-  const scene::Point start{set.x_initial[k], set.y_initial[k]};
-  return bounds(outline).contains(start) && scene::contains(outline, start);
+bool is_in_sliding_mass(const scene::Case& scene, const Particles& set, std::size_t k) {
+  return !set.body && std::ranges::any_of(scene.sliding_masses, [&](const scene::SlidingMass& mass) {
+    return began_within(mass, set, k);
+  });
 }
 
 SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, results::RunWriter& writer) : scene_(scene) {
@@ -52,13 +59,6 @@ SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, results::RunWrite
     series_.emplace_back(path, &add_history(writer, path, sliding_mass_columns,
                                             std::array{results::Attribute{"outline", outline}}));
   }
-}
-
-void SlidingMassOutput::add_followed(std::span<const Particles> sets, std::vector<ParticleName>& to) const {
-  for (const scene::SlidingMass& mass : scene_.sliding_masses)
-    for (std::size_t s = 0; s < sets.size(); ++s)
-      for (const std::uint32_t k : members(mass, sets[s]))
-        to.push_back({s, sets[s].id[k]});
 }
 
 void SlidingMassOutput::write_history(const Snapshot& snapshot, const Stepper& stepper) {

@@ -12,8 +12,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// Whether a particle began within the outline of a sliding mass.
-bool began_within(const scene::SlidingMass& mass, const Particles& set, std::size_t k);
+/// Whether a particle is part of a sliding mass of a case.
+bool is_in_sliding_mass(const scene::Case& scene, const Particles& set, std::size_t k);
 
 /// The part of a run's file about sliding masses: a series each with the means over the mass m of the
 /// soil that began within an outline,
@@ -30,10 +30,6 @@ public:
 
   /// Writes a row of each series.
   void write_history(const Snapshot& snapshot, const Stepper& stepper);
-
-  /// Adds the particles of the masses.
-  /// @param sets  of soil, or as much of them as holds these
-  void add_followed(std::span<const Particles> sets, std::vector<ParticleName>& to) const;
 
   /// The series by their paths.
   const std::vector<std::pair<std::string, results::TimeSeries*>>& series() const { return series_; }

@@ -2,7 +2,6 @@
 
 #include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/process/output/followed_point.hpp"
-#include "mpm_domain/process/output/sliding_mass_output.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
 #include <algorithm>
@@ -70,9 +69,7 @@ std::vector<Particles> particles_at_start(const Domain& domain, const scene::Cas
   const std::vector<std::vector<std::uint32_t>> faces = of_faces(domain);
   const auto is_wanted = [&](std::size_t s, std::size_t k) {
     const Particles& set = domain.sets[s];
-    return std::ranges::binary_search(faces[s], set.id[k]) || near.include(set, k) ||
-           std::ranges::any_of(scene.sliding_masses,
-                               [&](const scene::SlidingMass& mass) { return began_within(mass, set, k); });
+    return std::ranges::binary_search(faces[s], set.id[k]) || near.include(set, k);
   };
   return gather_sets(domain, is_wanted, 0, [](std::size_t, std::size_t, std::vector<double>&) {}).sets;
 }

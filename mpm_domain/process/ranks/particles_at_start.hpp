@@ -8,8 +8,8 @@
 namespace tremolo::mpm_domain {
 
 /// The particles that output looks for at the start of shaking, of a domain that ranks have filled together:
-/// those nearest to monitors and to the points of lines and all around them, those in sliding masses, and
-/// those of the boundary's faces. All ranks call it; the first gets the domain's sets with these particles,
+/// those nearest to monitors and to the points of lines and all around them, and those of the boundary's
+/// faces. All ranks call it; the first gets the domain's sets with these particles,
 /// the others get nothing.
 std::vector<Particles> particles_at_start(const Domain& domain, const scene::Case& scene);
 

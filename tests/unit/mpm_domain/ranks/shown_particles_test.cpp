@@ -185,6 +185,35 @@ TEST(ShownParticles, MayBeLeftInTheMiddle) {
     });
 }
 
+/// Quarters of particles that have been cut have names that nobody knew when they began to be followed.
+TEST(ShownParticles, MayBeFollowedByWhatTheyAre) {
+  TREMOLO_NEED_RANKS();
+  Communicator& ranks = *test_support::test_ranks();
+  Moved shared(&ranks);
+  Snapshot snapshot(shared.domain);
+  const auto is_wanted = [](const Particles& set, std::size_t k) {
+    return set.x_initial[k] > 20.0 && set.x_initial[k] < 45.0;
+  };
+  snapshot.follow({{0, 5}},
+                  [&](std::size_t s, std::size_t k) { return is_wanted(shared.domain.sets[s], k); });
+  snapshot.show(
+      {.followed = ranks.rank() == 0}, [] { return std::vector<mpm_domain::ShownQuantity>{}; },
+      [&] {
+        const Moved whole(nullptr);
+        for (std::size_t s = 0; s < whole.domain.sets.size(); ++s) {
+          const Particles& set = whole.domain.sets[s];
+          const Particles& seen = snapshot.sets()[s];
+          for (std::size_t k = 0; k < set.size(); ++k) {
+            const bool is_followed = is_wanted(set, k) || (s == 0 && set.id[k] == 5);
+            ASSERT_EQ(seen.index_of[set.id[k]] != Particles::nowhere, is_followed);
+            if (is_followed) {
+              EXPECT_EQ(seen.x[seen.index_of[set.id[k]]], set.x[k]);
+            }
+          }
+        }
+      });
+}
+
 /// A row of a history and a frame of one step.
 TEST(ShownParticles, ComeBesideThoseThatAreFollowed) {
   TREMOLO_NEED_RANKS();
