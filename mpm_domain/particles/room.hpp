@@ -3,7 +3,7 @@
 // Where the arrays of many particles lie. Arrays of one length that come from the system one after the other
 // lie at equal distances. A step reads some twenty of them side by side, and at some distances they take
 // turns in the same few places of a processor's caches and page tables: ten million particles then take a
-// sixth longer (docs/performance.md). So long arrays get some pages more, each its own number of them.
+// seventh longer (docs/performance.md). So long arrays get some pages more, each its own number of them.
 
 #include "mpm_domain/particles/particles.hpp"
 
