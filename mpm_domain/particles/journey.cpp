@@ -138,14 +138,14 @@ void Journey::bring_columns(const std::vector<std::uint32_t>& sources, Particles
             list.push_back((*given[c].array)[traveller.k * given[c].step + given[c].first]);
         }));
     for (std::size_t c = first; c < end; ++c) {
-      const auto& [array, offset, step] = given[c];
+      const ColumnOf<const std::vector<double>>& column = given[c];
       const auto value_of = [&](std::uint32_t source) {
-        return source < size_ ? (*array)[source * step + offset]
+        return source < size_ ? (*column.array)[source * column.step + column.first]
                               : come[(source - size_) * (end - first) + c - first];
       };
-      if (array == &from_.state) {
+      if (column.array == &from_.state) {
         for (std::size_t n = 0; n < sources.size(); ++n)
-          state[n * step + offset] = value_of(sources[n]);
+          state[n * column.step + column.first] = value_of(sources[n]);
         continue;
       }
       std::vector<double> values;

@@ -232,7 +232,7 @@ GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t
       if (wanted(s, k))
         journey.go(k, 0);
     Particles copy;
-    static_cast<KindOfParticles&>(copy) = set;
+    static_cast<KindOfParticles&>(copy) = static_cast<const KindOfParticles&>(set);
     copy.more.resize(set.more.size());
     copy.index_of.give(set.index_of.size());
     const auto add = [&](std::size_t k, std::vector<double>& to) { add_numbers(s, k, to); };
