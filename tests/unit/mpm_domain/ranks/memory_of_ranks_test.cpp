@@ -58,7 +58,8 @@ TEST(MemoryOfRanks, IsThatOfTheirShares) {
   RecordProperty("megabytes", std::to_string(1e-6 * taken));
   const double share = whole / ranks.size();
   EXPECT_GT(taken, 0.5 * share);
-  EXPECT_LT(taken, 2.0 * share);
+  constexpr double besides = 30e6; // messages, threads, faces
+  EXPECT_LT(taken, 1.5 * share + besides);
 }
 
 } // namespace
