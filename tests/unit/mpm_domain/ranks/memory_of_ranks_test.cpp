@@ -58,7 +58,7 @@ TEST(MemoryOfRanks, IsThatOfTheirShares) {
   RecordProperty("megabytes", std::to_string(1e-6 * taken));
   const double share = whole / ranks.size();
   EXPECT_GT(taken, 0.5 * share);
-  constexpr double besides = 30e6; // messages, threads, faces
+  constexpr double besides = 40e6; // messages, threads, faces, pages that rows of several ranks share
   EXPECT_LT(taken, 1.5 * share + besides);
 }
 
