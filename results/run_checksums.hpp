@@ -54,7 +54,7 @@ private:
   Checksum checksum_;
 };
 
-/// That of fields whose values are all here, in any order.
+/// The checksum of fields whose values are all here, in any order.
 Checksum checksum_of_fields(std::string_view path, double time, std::span<const Field> fields);
 
 /// A line each: CRC-32, count of numbers, path.

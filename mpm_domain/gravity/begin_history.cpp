@@ -82,7 +82,7 @@ CutOfSet begin_history(Particles& set) {
   return cut;
 }
 
-/// By soil, in the order of the sets.
+/// Puts the sets of each soil together, in their order.
 std::vector<CutStress> by_soil(const std::vector<Particles>& sets, const std::vector<CutOfSet>& cut) {
   std::vector<CutStress> soils;
   for (std::size_t s = 0; s < sets.size(); ++s) {

@@ -339,7 +339,7 @@ struct NodeReaction {
   Vector force; ///< N/m
 };
 
-/// Those of all ranks.
+/// Puts the reactions of all ranks together, in the order of the nodes.
 std::vector<NodeReaction> reactions_of_all(Communicator& ranks, const std::vector<NodeReaction>& own) {
   std::vector<double> numbers;
   for (const auto& [node, of_base, force] : own)

@@ -84,7 +84,7 @@ void displace(Particles& set) {
   }
 }
 
-/// On all ranks.
+/// Counts the particles of all ranks.
 std::size_t count_particles(const Domain& domain) {
   std::int64_t count = static_cast<std::int64_t>(domain.particle_count());
   if (domain.share)

@@ -59,7 +59,7 @@ void take(const std::vector<double>& numbers, std::vector<FaceAtRest>& faces) {
   }
 }
 
-/// Of all faces; each rank has those of its own particles.
+/// Finds the state of all faces: each rank works out those of its own particles, and all take them.
 std::vector<FaceAtRest> faces_at_rest(const Domain& domain) {
   const std::span<const BoundaryFace> faces = domain.boundary.faces();
   std::vector<FaceAtRest> at_rest(faces.size());

@@ -24,7 +24,7 @@ struct ColumnOf {
   std::size_t step;
 };
 
-/// Those of the fields, then those of the state.
+/// Lists the columns of a set: its fields come first, then the variables of its state.
 template <typename Array, typename Set>
 std::vector<ColumnOf<Array>> columns_of(Set& set) {
   std::vector<ColumnOf<Array>> columns;
@@ -34,7 +34,7 @@ std::vector<ColumnOf<Array>> columns_of(Set& set) {
   return columns;
 }
 
-/// One list behind the other.
+/// Joins lists, one behind the other.
 std::vector<double> joined(std::vector<std::vector<double>> lists) {
   std::vector<double> all = std::move(lists.front());
   for (std::size_t rank = 1; rank < lists.size(); ++rank) {
@@ -113,7 +113,8 @@ Journey::Arrived Journey::in_order(const std::vector<double>& heads, std::size_t
   return arrived;
 }
 
-/// The same on all ranks: all columns, where few particles are on the way.
+/// How many columns go in one message, which is the same on all ranks: all of them where few particles
+/// travel.
 std::size_t Journey::columns_at_once(std::size_t columns) const {
   std::size_t leaving = 0;
   for (const std::vector<Traveller>& to : to_)

@@ -88,7 +88,7 @@ public:
         checkpoints_(scene) {}
 
   RunOutput& output() { return output_; }
-  /// What is needed of the snapshot after a step.
+  /// Says what the snapshot must hold after a step.
   Snapshot::Extent needs(const Stepper& stepper) {
     saves_ = stepper.time() < end_ && (checkpoints_.due(stepper.steps()) || stepper.time() >= stop_.time);
     Snapshot::Extent needs = output_.needs(stepper);
@@ -111,7 +111,7 @@ public:
   void save(const Stepper& stepper) {
     checkpoints_.save(client_, domain_, snapshot_.all(), stepper, output_);
   }
-  /// What is needed of the snapshot for the last state.
+  /// Says what the snapshot must hold for the last state.
   Snapshot::Extent needs_to_finish(const Stepper& stepper) const {
     if (ends_early())
       return {.all = stepper.steps() == 0};
@@ -224,8 +224,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
       restore(domain, *saved);
     if (ranks != nullptr && !domain.share)
       share_out(domain, *ranks);
-    snapshot.follow(
-        followed, [&](std::size_t s, std::size_t k) { return is_in_sliding_mass(scene, domain.sets[s], k); });
+    snapshot.follow(followed, in_sliding_masses(scene, domain));
     Stepper stepper(domain, 0.0, coupled_source(coupled, client, waiting_seconds));
     std::optional<coupler::DomainClient::FirstStep> first;
     if (saved != nullptr) {

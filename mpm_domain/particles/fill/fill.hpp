@@ -24,7 +24,7 @@ struct FillPart {
   int count = 1;
 };
 
-/// What is wrong with a spec without particles.
+/// The message that refuses a spec without particles.
 inline constexpr const char* no_particle = "no particle lies in any region: the domain is empty";
 
 /// Lays particles on a square lattice aligned with the model box, particles_per_cell per cell and direction,

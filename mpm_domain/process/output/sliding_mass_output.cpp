@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -24,19 +25,25 @@ scene::Box bounds(const scene::Polygon& polygon) {
   return {left.x, low.y, right.x, high.y};
 }
 
-/// Whether a particle began within the outline of a mass.
-bool began_within(const scene::SlidingMass& mass, const Particles& set, std::size_t k) {
-  const scene::Polygon& outline = mass.outline.corners;
-  const scene::Point start{set.x_initial[k], set.y_initial[k]};
-  return bounds(outline).contains(start) && scene::contains(outline, start);
-}
+/// The outline of a mass, with the box around it, which most particles are outside of.
+struct Outline {
+  explicit Outline(const scene::SlidingMass& mass) : corners(mass.outline.corners), box(bounds(corners)) {}
+
+  bool holds_start_of(const Particles& set, std::size_t k) const {
+    const scene::Point start{set.x_initial[k], set.y_initial[k]};
+    return box.contains(start) && scene::contains(corners, start);
+  }
+
+  const scene::Polygon& corners;
+  scene::Box box;
+};
 
 /// The positions of the particles of a set that began within an outline, in the order of ids: sums over them
 /// do not depend on how particles are sorted.
-std::vector<std::uint32_t> members(const scene::SlidingMass& mass, const Particles& set) {
+std::vector<std::uint32_t> members(const Outline& outline, const Particles& set) {
   std::vector<std::uint32_t> members;
   set.index_of.for_all([&](std::uint32_t k) {
-    if (began_within(mass, set, k))
+    if (outline.holds_start_of(set, k))
       members.push_back(k);
   });
   return members;
@@ -44,10 +51,15 @@ std::vector<std::uint32_t> members(const scene::SlidingMass& mass, const Particl
 
 } // namespace
 
-bool is_in_sliding_mass(const scene::Case& scene, const Particles& set, std::size_t k) {
-  return !set.body && std::ranges::any_of(scene.sliding_masses, [&](const scene::SlidingMass& mass) {
-    return began_within(mass, set, k);
-  });
+Wanted in_sliding_masses(const scene::Case& scene, const Ground& ground) {
+  if (scene.sliding_masses.empty())
+    return {};
+  std::vector<Outline> outlines(scene.sliding_masses.begin(), scene.sliding_masses.end());
+  return [&ground, outlines = std::move(outlines)](std::size_t s, std::size_t k) {
+    const Particles& set = ground.sets[s];
+    return !set.body && std::ranges::any_of(
+                            outlines, [&](const Outline& outline) { return outline.holds_start_of(set, k); });
+  };
 }
 
 SlidingMassOutput::SlidingMassOutput(const scene::Case& scene, results::RunWriter& writer) : scene_(scene) {
@@ -66,8 +78,9 @@ void SlidingMassOutput::write_history(const Snapshot& snapshot, const Stepper& s
   for (std::size_t m = 0; m < series_.size(); ++m) {
     double mass = 0.0;
     std::array<double, 8> sums{};
+    const Outline outline(scene_.sliding_masses[m]);
     for (std::size_t s = 0; s < sets.size(); ++s)
-      for (const std::uint32_t k : members(scene_.sliding_masses[m], sets[s])) {
+      for (const std::uint32_t k : members(outline, sets[s])) {
         const Particles& set = sets[s];
         const auto [x, u, v, a] = motion_in_space(snapshot, {s, set.id[k]}, stepper);
         const std::array values{x.x, x.y, u.x, u.y, v.x, v.y, a.x, a.y};

@@ -12,8 +12,9 @@
 
 namespace tremolo::mpm_domain {
 
-/// Whether a particle is part of a sliding mass of a case.
-bool is_in_sliding_mass(const scene::Case& scene, const Particles& set, std::size_t k);
+/// Finds the particles that are part of the sliding masses of a case; null: it has none. The arguments
+/// outlive what is returned.
+Wanted in_sliding_masses(const scene::Case& scene, const Ground& ground);
 
 /// The part of a run's file about sliding masses: a series each with the means over the mass m of the
 /// soil that began within an outline,

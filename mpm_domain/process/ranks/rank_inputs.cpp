@@ -1,13 +1,16 @@
 #include "mpm_domain/process/ranks/rank_inputs.hpp"
 
+#include "base/crc32.hpp"
 #include "scene/text/files.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,19 +33,17 @@ std::vector<std::filesystem::path> own_files(const scene::Case& scene, const sce
 
 /// A double holds it exactly.
 double crc(const std::string& text) {
-  return static_cast<double>(
-      ::crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size())); // NOLINT: zlib's type of bytes
+  return static_cast<double>(crc32(0, std::as_bytes(std::span(text))));
 }
 
-/// Of a file that may be large.
+/// The file may be large, and is never in memory as a whole.
 /// @throws std::runtime_error if it cannot be read
 double crc_of_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::vector<char> block(std::size_t{1} << 20);
-  uLong crc = 0;
+  std::uint32_t crc = 0;
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
-    crc = ::crc32_z(crc, reinterpret_cast<const Bytef*>(block.data()), // NOLINT: zlib's type of bytes
-                    static_cast<std::size_t>(file.gcount()));
+    crc = crc32(crc, std::as_bytes(std::span(block).first(static_cast<std::size_t>(file.gcount()))));
   if (!file.eof())
     throw std::runtime_error(fmt::format("{}: cannot read it", path.string()));
   return static_cast<double>(crc);

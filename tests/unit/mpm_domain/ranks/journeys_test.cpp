@@ -20,7 +20,7 @@ constexpr std::size_t blocks_of_rank = 3;
 constexpr std::size_t per_block = 2;
 constexpr std::size_t per_rank = blocks_of_rank * per_block;
 
-/// Those of a rank: each is at x = id, and ids rise with blocks.
+/// The particles of a rank: each is at x = id, and ids rise with blocks.
 Particles set_of(std::size_t rank, std::size_t ranks) {
   Particles set;
   set.state_size = 2;

@@ -188,7 +188,7 @@ TEST_P(StagesOfRanks, HaveTheBitsOfOneProcess) {
 
 class StagesOfGroundFilledTogether : public StagesOfRanks {};
 
-/// Of ground that they have filled together no rank ever has all.
+/// No rank ever has all of ground that they have filled together.
 TEST_P(StagesOfGroundFilledTogether, HaveTheBitsOfOneProcess) {
   TREMOLO_NEED_RANKS();
   mpm_domain::Communicator& ranks = *test_support::test_ranks();
