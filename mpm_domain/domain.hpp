@@ -10,6 +10,8 @@
 #include "mpm_domain/prop/props.hpp"
 #include "mpm_domain/section/sections.hpp"
 
+#include <vector>
+
 namespace tremolo::mpm_domain {
 
 /// The state of the domain: the ground, its boundary and earthworks, the structures and linings in it, props
@@ -17,9 +19,8 @@ namespace tremolo::mpm_domain {
 /// velocities at the faces of the boundary that it works out; the first one has the velocities at all.
 struct Domain : Ground {
   /// Fills the regions with particles at rest and without stress.
-  /// @param ranks  those that fill and share it, a spec that they may (may_fill_together()); it outlives
-  /// this.
-  ///               Null: the domain is whole
+  /// @param ranks  those that fill and share it, all with the same spec; it outlives this. None of them ever
+  ///               has all of it. Null: there is one process
   /// @throws std::invalid_argument for a spec that cannot be built
   explicit Domain(const Spec& specification, Communicator* ranks = nullptr);
   ~Domain(); // in domain.cpp: it takes down some hundred fields
@@ -34,11 +35,6 @@ struct Domain : Ground {
   EnergyLedger energy;
 };
 
-/// Whether ranks may fill a spec together, none of them with all of it: nothing in it looks for particles
-/// that lie on other ranks. With structures, linings, props, loads on the surface, sections and earthworks
-/// each builds the whole domain, which is shared out then.
-bool may_fill_together(const Spec& spec);
-
 /// Orders all particles by tile and cell, lets boundary and structures follow, and finds what particles may
 /// touch; the grid's fields become zero.
 /// @throws std::runtime_error if a particle has left the grid, naming its position
@@ -50,12 +46,9 @@ void find_reach(Domain& domain);
 /// Makes the grid large enough (particles/grid_growth.hpp), within the limits that the boundary sets.
 void make_room(Domain& domain, double time, long step);
 
-/// Leaves a whole domain, which is the same on all ranks, with this rank's share of it.
-/// @param ranks  outlives the domain
-void share_out(Domain& domain, Communicator& ranks);
-
-/// Gives every rank the whole domain, structures as the first one has them.
-void make_whole(Domain& domain);
+/// Boxes around all that structures, linings, props and surface loads may touch until the next sort, as far
+/// as this rank knows where they are, and else around nothing. From the first sort on, rank 0 knows it.
+std::vector<mesh::Rectangle> boxes_of_structures(const Domain& domain);
 
 /// After faces have changed between two sorts, or particles have come to other ranks: these learn of it.
 void follow_faces(Domain& domain);

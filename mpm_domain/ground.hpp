@@ -77,13 +77,12 @@ struct NodePosition {
 /// which the Stepper strings together.
 ///
 /// Where ranks share ground (particles/share_out.hpp), each has the particles of its own tiles, and takes
-/// sums for all nodes in the windows of these. They fill it together, or each is built whole and shared out
-/// then.
+/// sums for all nodes in the windows of these. None ever has all particles: they fill it together.
 struct Ground {
   /// Fills the regions with particles at rest and without stress.
-  /// @param ranks  those that fill it together, each its part, all with the same spec, which
-  ///               can_be_filled_in_parts(); the first sort gives particles to the ranks of their tiles. It
-  ///               outlives this. Null: all is filled here
+  /// @param ranks  those that fill it together, each its part, all with the same spec. Each has the elastic
+  ///               bodies, which the Domain leaves to the first one; the first sort gives particles to the
+  ///               ranks of their tiles. It outlives this. Null: all is filled here
   /// @throws std::invalid_argument for a spec that cannot be built
   explicit Ground(const Spec& specification, Communicator* ranks = nullptr);
   ~Ground();

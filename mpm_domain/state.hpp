@@ -26,6 +26,23 @@
 
 namespace tremolo::mpm_domain {
 
+/// Name of the corners of boxes around what structures may touch, by which ranks deal out particles.
+inline const std::string near_structures = "near_structures";
+
+inline std::vector<double> numbers_of(const std::vector<mesh::Rectangle>& boxes) {
+  std::vector<double> numbers;
+  for (const mesh::Rectangle& box : boxes)
+    numbers.insert(numbers.end(), {box.x_min, box.y_min, box.x_max, box.y_max});
+  return numbers;
+}
+
+inline std::vector<mesh::Rectangle> boxes_from(const std::vector<double>& numbers) {
+  std::vector<mesh::Rectangle> boxes;
+  for (std::size_t n = 0; n + 3 < numbers.size(); n += 4)
+    boxes.push_back({numbers[n], numbers[n + 1], numbers[n + 2], numbers[n + 3]});
+  return boxes;
+}
+
 /// Writes whole numbers that come as doubles, piece by piece.
 /// @param give  passes all of them to what takes pieces
 template <class Writer, class Give>
@@ -151,7 +168,7 @@ void restore_particles(Domain& domain, const Reader& from) {
     require_blocks(domain, set.block_start, sizes.back(), name_of(s));
   }
   if (domain.share)
-    deal_out_blocks(domain, *domain.share->ranks, {});
+    deal_out_blocks(domain, *domain.share->ranks, boxes_from(from.numbers(near_structures)));
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const std::vector<ParticleRange> own = take_own_blocks(domain, domain.sets[s]);
     restore(domain.sets[s], name_of(s), own, sizes[s], from);
@@ -165,6 +182,7 @@ void save(const Domain& domain, const AllParticles& particles, Writer& to) {
   to.write("grid",
            std::vector<double>{grid.x0, grid.y0, static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
   to.write("body_lattices", lattice_state(domain.bodies));
+  to.write(near_structures, numbers_of(boxes_of_structures(domain)));
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     save(particles, s, domain.sets[s], to);
   domain.boundary.save(to);
@@ -180,7 +198,7 @@ void save(const Domain& domain, Writer& to) {
   save(domain, AllParticles(domain), to);
 }
 
-/// Where ranks have filled the domain together, each restores its share of it.
+/// Where ranks share the domain, each restores its share of it.
 template <class Reader>
 void restore(Domain& domain, const Reader& from) {
   const std::vector<double> grid = numbers_of_size(from, "grid", 4);

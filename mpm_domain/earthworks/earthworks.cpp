@@ -3,6 +3,7 @@
 #include "mesh/polygon.hpp"
 #include "mpm_domain/earthworks/placing.hpp"
 #include "mpm_domain/particles/change_of_set.hpp"
+#include "mpm_domain/ranks/lists_of_all.hpp"
 
 #include <fmt/format.h>
 
@@ -29,6 +30,46 @@ std::size_t removal_of(const Region& region, const std::vector<Earthwork>& all, 
   return from;
 }
 
+/// A particle in a region of the start that goes.
+struct InRegion {
+  std::size_t region;
+  std::size_t set;
+  std::uint32_t id;
+  Vector position; ///< m
+};
+
+/// Puts what ranks have found together, in the order in which one process finds it.
+std::vector<InRegion> found_by_all(Communicator& ranks, const std::vector<InRegion>& own) {
+  std::vector<double> numbers;
+  for (const auto& [region, set, id, position] : own)
+    numbers.insert(numbers.end(), {static_cast<double>(region), static_cast<double>(set),
+                                   static_cast<double>(id), position.x, position.y});
+  numbers = lists_of_all(ranks, numbers);
+  std::vector<InRegion> all;
+  for (std::size_t n = 0; n < numbers.size(); n += 5)
+    all.push_back({static_cast<std::size_t>(numbers[n]),
+                   static_cast<std::size_t>(numbers[n + 1]),
+                   static_cast<std::uint32_t>(numbers[n + 2]),
+                   {numbers[n + 3], numbers[n + 4]}});
+  std::ranges::stable_sort(all, {}, [](const InRegion& one) { return std::pair(one.region, one.set); });
+  return all;
+}
+
+/// The particles of all regions that an earthwork removes.
+std::vector<InRegion> particles_that_go(const Ground& ground) {
+  std::vector<InRegion> found;
+  const std::vector<Region>& regions = ground.spec.regions;
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    if (removal_of(regions[r], ground.spec.earthworks, 0) < ground.spec.earthworks.size())
+      for (std::size_t s = 0; s < ground.soil_sets; ++s) {
+        const Particles& set = ground.sets[s];
+        for (std::size_t k = 0; k < set.size(); ++k)
+          if (mesh::inside(regions[r].polygon, set.x[k], set.y[k]))
+            found.push_back({r, s, set.id[k], {set.x[k], set.y[k]}});
+      }
+  return ground.share ? found_by_all(*ground.share->ranks, found) : found;
+}
+
 } // namespace
 
 Earthworks::Earthworks(Ground& ground) : going_(ground.spec.earthworks.size()) {
@@ -38,20 +79,13 @@ Earthworks::Earthworks(Ground& ground) : going_(ground.spec.earthworks.size()) {
   for (const Earthwork& work : all)
     for (const Region& region : work.place)
       soil_to_place(ground, region); // refuses what could not be placed, before the ground is shaken
-  for (const Region& region : ground.spec.regions) {
-    const std::size_t removal = removal_of(region, all, 0);
-    for (std::size_t s = 0; removal < all.size() && s < ground.soil_sets; ++s) {
-      const Particles& set = ground.sets[s];
-      for (std::size_t k = 0; k < set.size(); ++k)
-        if (mesh::inside(region.polygon, set.x[k], set.y[k])) {
-          if (set.water)
-            throw std::invalid_argument(
-                fmt::format("soil that is removed while the ground is in motion lies below the water at x = "
-                            "{:.6g} m, y = {:.6g} m; allowed: above it",
-                            set.x[k], set.y[k]));
-          add_going(ground, removal, s, set.id[k]);
-        }
-    }
+  for (const auto& [region, set, id, position] : particles_that_go(ground)) {
+    if (ground.sets[set].water)
+      throw std::invalid_argument(
+          fmt::format("soil that is removed while the ground is in motion lies below the water at x = "
+                      "{:.6g} m, y = {:.6g} m; allowed: above it",
+                      position.x, position.y));
+    add_going(ground, removal_of(ground.spec.regions[region], all, 0), set, id);
   }
 }
 
@@ -61,7 +95,7 @@ void Earthworks::begin(Ground& ground, const std::function<void()>& order) {
   remove(ground);
   place(ground);
   order();
-  held_ = HeldForces(before, node_loads(ground));
+  held_ = HeldForces(before, node_loads(ground), ground.share ? ground.share->ranks : nullptr);
   ++begun_;
 }
 
@@ -77,7 +111,8 @@ void Earthworks::add_going(Ground& ground, std::size_t earthwork, std::size_t se
 void Earthworks::remove(Ground& ground) {
   std::vector<std::vector<std::size_t>> gone(ground.soil_sets);
   for (const auto& [s, id] : going_[begun_])
-    gone[s].push_back(ground.sets[s].index_of[id]);
+    if (const std::size_t k = ground.sets[s].index_of[id]; k != Particles::nowhere)
+      gone[s].push_back(k);
   for (std::size_t s = 0; s < gone.size(); ++s) {
     std::ranges::sort(gone[s]);
     if (!gone[s].empty())
@@ -85,6 +120,7 @@ void Earthworks::remove(Ground& ground) {
   }
 }
 
+/// All ranks know what is placed, and the first one takes it, until the next sort.
 void Earthworks::place(Ground& ground) {
   const std::vector<Earthwork>& all = ground.spec.earthworks;
   std::vector<std::pair<std::vector<Particles>, const Region*>> coming; // none settles on another one
@@ -94,9 +130,13 @@ void Earthworks::place(Ground& ground) {
     for (std::size_t s = 0; s < sets.size(); ++s)
       for (std::size_t k = 0; k < sets[s].size(); ++k) {
         Particles& set = ground.sets[s];
-        add_copy(sets[s], k, set);
+        const std::size_t id = set.index_of.size();
+        if (ground.has_structures_here())
+          add_copy(sets[s], k, set);
+        else
+          set.index_of.give(id + 1);
         if (const std::size_t removal = removal_of(*region, all, begun_ + 1); removal < all.size())
-          add_going(ground, removal, s, set.id.back());
+          add_going(ground, removal, s, static_cast<std::uint32_t>(id));
       }
 }
 

@@ -6,9 +6,9 @@
 //
 //     f_i += (1 - share(t)) c_i,      share(t) = (1 - cos(pi (t - t_0)/T))/2
 //
-// makes the change come within T, as it does in the static stages (gravity/construction.hpp): at t_0 nothing
-// moves that has not moved before. Soil that stays keeps all that it has; its own law carries the change.
-// Only dry soil is placed or removed, since it takes no part in the flow of pore water.
+// makes the change come within T, as it does in the static stages (gravity/construction/construction.hpp): at
+// t_0 nothing moves that has not moved before. Soil that stays keeps all that it has; its own law carries the
+// change. Only dry soil is placed or removed, since it takes no part in the flow of pore water.
 //
 // The work of c is booked as that of static tractions. The kinetic energy of what goes counts as lost between
 // particles and grid; the ground nearly rests then.
@@ -28,7 +28,7 @@ namespace tremolo::mpm_domain {
 class Earthworks {
 public:
   /// Finds the particles that will go, which stay whole until then.
-  /// @param ground  at the start
+  /// @param ground  at the start; all ranks that have filled it call this
   /// @throws std::invalid_argument for soil that lies below the water
   explicit Earthworks(Ground& ground);
 
@@ -37,7 +37,7 @@ public:
   bool is_due(const Ground& ground, double time) const {
     return begun_ < going_.size() && time >= ground.spec.earthworks[begun_].growth.start;
   }
-  /// Places and removes soil; the next one has begun then.
+  /// Places and removes soil; the next one has begun then. All ranks that share the ground call it.
   /// @param order  brings particles into the order of their positions, and lets all that follow it
   void begin(Ground& ground, const std::function<void()>& order);
 

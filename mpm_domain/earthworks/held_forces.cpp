@@ -1,10 +1,12 @@
 #include "mpm_domain/earthworks/held_forces.hpp"
 
+#include "mpm_domain/ranks/lists_of_all.hpp"
 #include "mpm_domain/transfer/scatter.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 
 namespace tremolo::mpm_domain {
 
@@ -13,6 +15,24 @@ namespace {
 /// Number of the node of a lattice at the left or the lower edge of the model.
 int first_in_model(double edge, double origin, double h) {
   return static_cast<int>(std::lround((edge - origin) / h));
+}
+
+/// Gives what ranks have of nodes to one rank for each column of nodes, whoever has them.
+std::map<PositionInModel, NodeLoad> by_columns(const std::map<PositionInModel, NodeLoad>& own,
+                                               Communicator& ranks) {
+  std::vector<std::vector<double>> lists(static_cast<std::size_t>(ranks.size()));
+  for (const auto& [position, load] : own) {
+    const auto& [level, column, row] = position;
+    std::vector<double>& list = lists[static_cast<std::size_t>(std::abs(column) % ranks.size())];
+    list.insert(list.end(), {static_cast<double>(level), static_cast<double>(column),
+                             static_cast<double>(row), load.mass, load.force.x, load.force.y});
+  }
+  std::map<PositionInModel, NodeLoad> loads;
+  for (const std::vector<double>& numbers : ranks.swap(lists))
+    for (std::size_t n = 0; n < numbers.size(); n += 6)
+      loads[{static_cast<int>(numbers[n]), static_cast<int>(numbers[n + 1]),
+             static_cast<int>(numbers[n + 2])}] = {numbers[n + 3], {numbers[n + 4], numbers[n + 5]}};
+  return loads;
 }
 
 } // namespace
@@ -27,14 +47,25 @@ std::map<PositionInModel, NodeLoad> node_loads(Ground& ground) {
     const int low = first_in_model(ground.spec.box.y_min, lattice.y0, lattice.h);
     for (int j = 0; j < lattice.ny; ++j)
       for (int i = 0; i < lattice.nx; ++i)
-        if (const std::size_t n = lattice.index(i, j); grid.mass[n] > 0.0)
+        if (const std::size_t n = lattice.index(i, j); grid.mass[n] > 0.0 && ground.counts({n, n + 1}))
           loads[{level, i - left, j - low}] = {grid.mass[n], {grid.force_x[n], grid.force_y[n]}};
   }
   return loads;
 }
 
-HeldForces::HeldForces(const std::map<PositionInModel, NodeLoad>& before,
-                       const std::map<PositionInModel, NodeLoad>& after) {
+HeldForces::HeldForces(std::map<PositionInModel, NodeLoad> before, std::map<PositionInModel, NodeLoad> after,
+                       Communicator* ranks) {
+  if (ranks != nullptr) {
+    before = by_columns(before, *ranks);
+    after = by_columns(after, *ranks);
+  }
+  find(before, after);
+  if (ranks != nullptr)
+    set_state(lists_of_all(*ranks, state()));
+}
+
+void HeldForces::find(const std::map<PositionInModel, NodeLoad>& before,
+                      const std::map<PositionInModel, NodeLoad>& after) {
   for (const auto& [position, now] : after) {
     const auto found = before.find(position);
     const NodeLoad had = found == before.end() ? NodeLoad{now.mass, {}} : found->second;

@@ -30,13 +30,19 @@ struct NodeLoad {
   Vector force;      ///< weight included, N/m
 };
 
-/// The loads of all nodes with mass. Particles must be in the order of their present positions.
+/// The loads of the nodes with mass that count on this rank. Particles must be in the order of their present
+/// positions.
 std::map<PositionInModel, NodeLoad> node_loads(Ground& ground);
 
 class HeldForces {
 public:
   HeldForces() = default;
-  HeldForces(const std::map<PositionInModel, NodeLoad>& before, const std::map<PositionInModel, NodeLoad>& after);
+  /// @param before, after  on this rank
+  /// @param ranks  all of which have such loads, of nodes that may have come from one to another, and take
+  /// the
+  ///               forces of all nodes; null: there are no others
+  HeldForces(std::map<PositionInModel, NodeLoad> before, std::map<PositionInModel, NodeLoad> after,
+             Communicator* ranks);
 
   /// Adds a share (1) of the forces to those of the nodes.
   void act(Ground& ground, double share) const;
@@ -52,6 +58,8 @@ public:
   void set_state(const std::vector<double>& state);
 
 private:
+  void find(const std::map<PositionInModel, NodeLoad>& before,
+            const std::map<PositionInModel, NodeLoad>& after);
   template <class Act>
   void over_nodes(const Ground& ground, double share, const Act& act) const;
   template <class PowerOn>

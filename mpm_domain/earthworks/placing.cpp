@@ -1,9 +1,12 @@
 #include "mpm_domain/earthworks/placing.hpp"
 
 #include "mesh/polygon.hpp"
+#include "mpm_domain/particles/bounds.hpp"
 #include "mpm_domain/particles/change_of_set.hpp"
 #include "mpm_domain/particles/fill/fill.hpp"
 #include "mpm_domain/particles/fill/rest_stress.hpp"
+#include "mpm_domain/ranks/lists_of_all.hpp"
+#include "mpm_domain/tiles/totals.hpp"
 
 #include <fmt/format.h>
 
@@ -45,20 +48,38 @@ private:
   std::unordered_map<std::int64_t, std::vector<mesh::Rectangle>> boxes_;
 };
 
-Occupied positions_of(const Ground& ground) {
-  Occupied occupied(ground.lattice(0).h);
+/// Where the particles of all ranks are, as far as these touch a box.
+Occupied positions_in(const mesh::Rectangle& around, const Ground& ground) {
+  std::vector<double> corners;
   for (const Particles& set : ground.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
-      occupied.add(box_of(set, k));
+      if (const auto [x_min, y_min, x_max, y_max] = box_of(set, k);
+          x_max >= around.x_min && x_min <= around.x_max && y_max >= around.y_min && y_min <= around.y_max)
+        corners.insert(corners.end(), {x_min, y_min, x_max, y_max});
+  if (ground.share)
+    corners = lists_of_all(*ground.share->ranks, corners);
+  Occupied occupied(ground.lattice(0).h);
+  for (std::size_t n = 0; n < corners.size(); n += 4)
+    occupied.add({corners[n], corners[n + 1], corners[n + 2], corners[n + 3]});
   return occupied;
 }
 
-/// Largest settlement of the soil, m.
+/// Around regions, and as much soil as would fit in beside them.
+mesh::Rectangle box_around(const std::vector<Region>& regions, double more) {
+  mesh::Rectangle box = around_nothing;
+  for (const Region& region : regions)
+    for (const Vector& corner : region.polygon)
+      reach_around(box, corner.x, corner.y);
+  return {box.x_min - more, box.y_min - more, box.x_max + more, box.y_max + more};
+}
+
+/// Largest settlement of the soil on any rank, m.
 double largest_settlement(const Ground& ground) {
   double largest = 0.0;
   for (const Particles& set : ground.sets_of_soil())
     for (std::size_t k = 0; k < set.size(); ++k)
       largest = std::max(largest, set.y_initial[k] - set.y[k]);
+  take_largest(ground, {&largest, 1});
   return largest;
 }
 
@@ -111,7 +132,8 @@ std::vector<Particles> soil_to_place(const Ground& ground, const Region& region)
   const double smallest = particle_size(spec, ground.mesh ? ground.mesh->tree().finest() : 0);
   spec.regions = drawn_down(region, largest_settlement(ground), smallest);
   const std::vector<Particles> all = fill(spec, ground.head, ground.mesh ? &ground.mesh->tree() : nullptr);
-  std::vector<Candidate> kept = laid(all, region, positions_of(ground));
+  const mesh::Rectangle around = box_around(spec.regions, 2.0 * particle_size(spec));
+  std::vector<Candidate> kept = laid(all, region, positions_in(around, ground));
   std::ranges::sort(kept, {}, [](const Candidate& c) { return std::pair(c.set, c.k); });
   std::vector<Particles> placed;
   for (const Particles& set : all) {

@@ -13,7 +13,8 @@
 
 namespace tremolo::mpm_domain {
 
-/// The particles of a region that is placed now, by the sets of the ground; they are not in it yet.
+/// The particles of a region that is placed now, by the sets of the ground; they are not in it yet. All ranks
+/// that share the ground call it, and take all of them.
 /// @throws std::invalid_argument for a region in which no particle lies, or one below the water
 std::vector<Particles> soil_to_place(const Ground& ground, const Region& region);
 

@@ -1,7 +1,6 @@
 #include "mpm_domain/gravity/static_stages.hpp"
 
-#include "mpm_domain/dispersion/fullness.hpp"
-#include "mpm_domain/gravity/construction.hpp"
+#include "mpm_domain/gravity/construction/construction.hpp"
 #include "mpm_domain/particles/fill/rest_stress.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/ranks/passed_state.hpp"
@@ -84,6 +83,12 @@ void displace(Particles& set) {
   }
 }
 
+/// Lets the surfaces of elastic bodies follow their particles, on the rank that has these.
+void follow_elastic_bodies(Domain& domain) {
+  if (domain.has_structures_here())
+    domain.contact.follow_particles(domain);
+}
+
 /// Counts the particles of all ranks.
 std::size_t count_particles(const Domain& domain) {
   std::int64_t count = static_cast<std::int64_t>(domain.particle_count());
@@ -109,14 +114,12 @@ StaticStage& StaticStage::operator=(StaticStage&& other) noexcept = default;
 StaticStage::~StaticStage() = default;
 
 StaticStages::StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
-                           StageProgress progress, Communicator* ranks)
+                           StageProgress progress)
     : end_(end), gravity_(gravity), stages_(then.begin(), then.end()), progress_(std::move(progress)),
-      ranks_(ranks), is_filled_together_(end.share.has_value()) {
+      ranks_(end.share ? end.share->ranks : nullptr) {
   if (!(end.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", end.spec.gravity));
-  if (is_filled_together_ && !then.empty())
-    throw std::invalid_argument("stages after gravity need a model that each rank has built whole");
   begin_model(0);
 }
 
@@ -143,7 +146,7 @@ void StaticStages::show(const std::function<void(Domain& model)>& act) {
   for (Particles& set : model_->sets)
     if (set.body)
       displace(set);
-  model_->contact.follow_particles(*model_);
+  follow_elastic_bodies(*model_);
   act(*model_);
   model_->sets = sets;
   model_->contact = contact;
@@ -155,13 +158,13 @@ Reactions StaticStages::finish() {
   reactions.slipping = slipping_.has_value();
   reactions.cut = begin_history(*model_);
   reactions.particles = count_particles(*model_);
-  model_->contact.follow_particles(*model_); // surfaces of elastic bodies turn with the last stage, too
+  follow_elastic_bodies(*model_); // their surfaces turn with the last stage, too
   reactions.ways = ways_;
   return reactions;
 }
 
 void StaticStages::gravity() {
-  set_rest_stress(model_->sets_of_soil(), model_->spec, {}, model_->share ? ranks_ : nullptr);
+  set_rest_stress(model_->sets_of_soil(), model_->spec, {}, ranks_);
   begin_relaxation();
   act_with_loads(0);
   model_->props.place_jacks(nullptr);
@@ -232,14 +235,14 @@ void StaticStages::end_stage() {
   model_->props.lock();
   relaxation_->finish();
   relaxation_.reset();
-  if (is_filled_together_)
-    model_->share->times.restart(model_->tiles.count()); // steps of the shaking cost something else
-  else if (ranks_ != nullptr)
-    gather_model();
+  if (ranks_ == nullptr)
+    return;
+  model_->share->times.restart(model_->tiles.count()); // steps of the shaking cost something else
+  follow_first();
 }
 
-/// Every rank has the whole model, and what the first one has found of structures.
-void StaticStages::gather_model() {
+/// Every rank has what the first one has found of structures.
+void StaticStages::follow_first() {
   PassedState of_first;
   save_result(of_first);
   const bool slips = slipping_.has_value();
@@ -251,24 +254,6 @@ void StaticStages::gather_model() {
   restore_result(of_first);
   if (slips)
     read_integers(of_first, "slipping", *slipping_);
-  make_whole(*model_);
-  if (!model_->is_sharp())
-    return;
-  // The faces' weights at rest depend on where nodes have soil around them.
-  scatter(*model_, ScatterPart::motion);
-  find_fullness(*model_);
-}
-
-/// Likewise after a stage that has found no rest, with the velocity with which nodes go on.
-void StaticStages::gather_at_failure() {
-  Grid& grid = model_->grid;
-  std::vector<double> vx(grid.vx_after.begin(), grid.vx_after.end());
-  std::vector<double> vy(grid.vy_after.begin(), grid.vy_after.end());
-  take_nodes_of_all(*model_, vx);
-  take_nodes_of_all(*model_, vy);
-  make_whole(*model_);
-  std::ranges::copy(vx, grid.vx_after.begin());
-  std::ranges::copy(vy, grid.vy_after.begin());
 }
 
 /// The model of the stages from one of stages_ on, up to the next construction; nothing: it is that of the
@@ -297,16 +282,13 @@ std::optional<Spec> StaticStages::spec_from(std::size_t first) const {
 
 void StaticStages::begin_model(std::size_t first) {
   const std::optional<Spec> spec = spec_from(first);
-  own_ = spec ? std::make_shared<Domain>(*spec) : nullptr;
+  own_ = spec ? std::make_shared<Domain>(*spec, ranks_) : nullptr;
   model_ = own_ ? own_.get() : &end_;
 }
 
 void StaticStages::begin_relaxation() {
   slipping_.reset();
-  if (ranks_ != nullptr && !is_filled_together_)
-    share_out(*model_, *ranks_);
-  else
-    find_reach(*model_); // surfaces of elastic bodies turn with them
+  find_reach(*model_); // surfaces of elastic bodies turn with them
   relaxation_.emplace(*model_);
 }
 
@@ -357,8 +339,6 @@ Relaxed StaticStages::run(const Course& course, const std::string& what, const s
       relaxation_->run(course, [this](long step, double residual) { progress_(over_, step, residual); });
   if (relaxed.residual < course.residual)
     return relaxed;
-  if (ranks_ != nullptr)
-    gather_at_failure();
   throw NotAtRest(fmt::format("{}: residual {:.3g} after {:.3g} s of relaxation, wanted {:.3g}; {}", what,
                               relaxed.residual,
                               static_cast<double>(relaxed.step - course.first) * relaxation_->step(),

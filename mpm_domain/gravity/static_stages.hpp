@@ -9,8 +9,8 @@
 // from which a construction goes on. Nothing else outlives a stage, so that a walk which is given this of
 // another one goes on with the same bits. It can therefore be broken off after any stage.
 //
-// Ranks share the model during a stage, with the same bits, and each has the whole of it between two. Of a
-// model that ranks have filled together no rank ever has the whole: gravity is its only stage.
+// Ranks that share the model of the end share all others too, with the same bits. What they find of forces,
+// structures and their ways, all know after each stage.
 
 #include "mpm_domain/fields/stages_over.hpp"
 #include "mpm_domain/gravity/gravity_stage.hpp"
@@ -34,11 +34,9 @@ public:
   /// @param end   the model after the last stage, to which all of them happen where none is a construction;
   ///              outlives this
   /// @param then  the stages after gravity
-  /// @param ranks those that share the work, all with the same arguments; null: one process. It outlives this
-  /// @throws std::invalid_argument for a model without weight, and for stages after gravity where ranks share
-  /// the model already
+  /// @throws std::invalid_argument for a model without weight
   StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
-               StageProgress progress, Communicator* ranks = nullptr);
+               StageProgress progress);
 
   /// Number of completed stages; gravity is the first.
   std::size_t over() const { return over_; }
@@ -48,8 +46,10 @@ public:
   /// @throws NotAtRest if it does not come to rest
   void next();
 
-  /// Acts on the model, which is whole, as the last stage has left it, with structures where they have gone,
-  /// and leaves it as it was.
+  /// The model as the last stage has left it.
+  const Domain& model() const { return *model_; }
+
+  /// Acts on it with structures where they have gone, and leaves it as it was. All ranks call it.
   void show(const std::function<void(Domain& model)>& act);
 
   /// After the last stage: the laws' memory begins.
@@ -57,12 +57,13 @@ public:
   Reactions finish();
 
   /// Saves all that a walk goes on from after this stage (fields/saved_numbers.hpp).
+  /// @param particles  of the model; where ranks share it, those that rank 0 is shown
   template <class Writer>
-  void save(Writer& to) const {
+  void save(const AllParticles& particles, Writer& to) const {
     to.write(stages_over_name, std::vector<std::uint64_t>{over_});
     to.write("static.disturbed", std::vector<double>{disturbed_ ? 1.0 : 0.0});
     save_result(to);
-    mpm_domain::save(*model_, to);
+    mpm_domain::save(*model_, particles, to);
   }
 
   /// Goes on from there, a walk through the same stages that has not begun.
@@ -119,8 +120,7 @@ private:
   void go(const LoadSettings& load);
   void go(const ConstructionSettings& construction);
   void end_stage();
-  void gather_model();
-  void gather_at_failure();
+  void follow_first();
 
   std::optional<Spec> spec_from(std::size_t first) const;
   void begin_model(std::size_t first);
@@ -143,8 +143,7 @@ private:
   GravitySettings gravity_;
   std::vector<StaticStage> stages_; ///< after gravity
   StageProgress progress_;
-  Communicator* ranks_; ///< null: there is one process
-  bool is_filled_together_;
+  Communicator* ranks_; ///< that share the models; null: there is one process
   std::size_t over_ = 0;
   std::shared_ptr<Domain> own_; ///< the present model; null: it is that of the end
   Domain* model_ = nullptr;

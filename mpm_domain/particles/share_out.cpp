@@ -155,35 +155,6 @@ void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rect
   share.structures = std::move(structures);
 }
 
-void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
-  deal_out_blocks(ground, ranks, std::move(structures));
-  for (Particles& set : ground.sets) {
-    Journey journey(ranks, set);
-    for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block)
-      if (ground.share->is_mine(block % ground.tiles.count()))
-        for (auto [k, end] = set.in_block(block); k < end; ++k)
-          journey.stay(k);
-    journey.arrive(set, all_blocks(ground));
-  }
-  resize_fields(ground.grid, ground.grid.size());
-}
-
-void make_whole(Ground& ground) {
-  Communicator& ranks = *ground.share->ranks;
-  for (Particles& set : ground.sets) {
-    Journey journey(ranks, set);
-    for (std::size_t k = 0; k < set.size(); ++k) {
-      journey.stay(k);
-      for (int rank = 0; rank < ranks.size(); ++rank)
-        if (rank != ranks.rank())
-          journey.go(k, rank);
-    }
-    journey.arrive(set, all_blocks(ground));
-  }
-  ground.share.reset();
-  resize_fields(ground.grid, ground.grid.size());
-}
-
 void move_between_ranks(Ground& ground) {
   RankShare& share = *ground.share;
   Census census(ground);
@@ -231,10 +202,7 @@ GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t
     for (std::size_t k = 0; k < set.size(); ++k)
       if (wanted(s, k))
         journey.go(k, 0);
-    Particles copy;
-    static_cast<KindOfParticles&>(copy) = static_cast<const KindOfParticles&>(set);
-    copy.more.resize(set.more.size());
-    copy.index_of.give(set.index_of.size());
+    Particles copy = empty_like(set);
     const auto add = [&](std::size_t k, std::vector<double>& to) { add_numbers(s, k, to); };
     gathered.numbers.push_back(journey.arrive(copy, all_blocks(ground), {more, add}));
     gathered.sets.push_back(std::move(copy));

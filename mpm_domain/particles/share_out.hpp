@@ -18,14 +18,6 @@ namespace tremolo::mpm_domain {
 /// @param structures  boxes around all that these may touch until the next sort
 void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures);
 
-/// Leaves whole ground, which is the same on all ranks, with the particles of this rank's tiles. What they
-/// may touch must be found next: find_reach(). Arguments as above.
-void keep_own_particles(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures);
-
-/// Gives every rank the particles of all, in the order that they have in the whole ground. What they may
-/// touch must be found next: find_reach().
-void make_whole(Ground& ground);
-
 /// Gives particles that have come to tiles of other ranks to these; deals the tiles anew where they are
 /// uneven, or where structures have come to others. A part of the sort.
 void move_between_ranks(Ground& ground);

@@ -82,7 +82,7 @@ void report(const Domain& domain, const Reactions& reactions) {
     fmt::print("warning: {}\n", slipping_text(domain, reactions.slipping_bodies));
 }
 
-/// Leaves a frame of ground that has found no rest: its velocities show where it moves.
+/// Leaves a frame of ground that has found no rest: its velocities show where it moves. All ranks call it.
 /// @returns the sentence that says so
 std::string leave_frame(Domain& domain, const RunOfCase& run, const NotAtRest& failure) {
   take_velocities_of_nodes(domain);
@@ -99,23 +99,29 @@ void wait_for_first(Communicator& ranks) {
 }
 
 /// Makes the checkpoint from which the run can continue, and ends the run. The sources are needed for that
-/// alone.
+/// alone. All ranks call it.
 void end_after_stage(const Domain& domain, StaticStages& stages, const RunOfCase& run, double seconds) {
   const std::size_t last = stages.over() - 1;
   const std::string reason = ended_after(scene::stages(run.scene)[last].name);
   stages.show([&](Domain& model) {
     write_stage_frame(run.options.out, case_of_stage(run.scene, last), model, reason);
   });
-  run.client->ready(CoupledFaces(domain, run.scene, run.plan).faces(), 0.0, run.scene.end());
-  run.client->checkpoint(0.0, [&](results::CheckpointWriter& file) {
-    stages.save(file);
-    file.write_text(std::string(results::checksums_name), results::checksum_text({})); // all is written anew
+  AllParticles particles(stages.model());
+  particles.show({}, [&] {
+    run.client->ready(CoupledFaces(domain, run.scene, run.plan).faces(), 0.0, run.scene.end());
+    run.client->checkpoint(0.0, [&](results::CheckpointWriter& file) {
+      stages.save(particles, file);
+      file.write_text(std::string(results::checksums_name),
+                      results::checksum_text({})); // all is written anew
+    });
   });
+  if (run.client == nullptr)
+    return;
   fmt::print("note: {}\n", reason);
   run.client->finish({{"gravity stage", seconds}}, 0.0);
 }
 
-/// The first rank leaves a frame of each stage where there are several.
+/// Leaves a frame of each stage where there are several. All ranks call it.
 void leave_stage_frame(StaticStages& stages, const RunOfCase& run) {
   const std::size_t last = stages.over() - 1;
   stages.show([&](Domain& model) {
@@ -149,25 +155,22 @@ AtRest come_to_rest(Domain& domain, const RunOfCase& run, const results::Checkpo
       run.client->progress(planned[stage].name, static_cast<std::uint64_t>(step), 0.0, 0.0, residual);
   };
   const std::vector<StaticStage> then = static_settings(run.scene);
-  StaticStages stages(domain, {gravity.residual, gravity.max_time}, then, progress, run.ranks);
+  StaticStages stages(domain, {gravity.residual, gravity.max_time}, then, progress);
   if (saved != nullptr)
     stages.restore(*saved);
   try {
     while (!stages.are_over()) {
       stages.next();
-      if (run.client != nullptr && !then.empty())
+      if (!then.empty())
         leave_stage_frame(stages, run);
       if (planned[stages.over() - 1].name != until || stages.are_over())
         continue;
       watch.stop();
-      if (run.client != nullptr)
-        end_after_stage(domain, stages, run, watch.seconds());
+      end_after_stage(domain, stages, run, watch.seconds());
       return {.seconds = watch.seconds(), .ended = true};
     }
   } catch (const NotAtRest& failure) {
-    const std::string reason = run.client == nullptr
-                                   ? failure.what()
-                                   : leave_frame(failure.model ? *failure.model : domain, run, failure);
+    const std::string reason = leave_frame(failure.model ? *failure.model : domain, run, failure);
     if (run.ranks != nullptr)
       wait_for_first(*run.ranks);
     throw std::runtime_error(reason);

@@ -39,8 +39,7 @@ struct AtRest {
   bool ended = false;   ///< the run has ended after a static stage that is not the last one
 };
 
-/// Brings the domain to rest. Ranks share the work; each has the whole domain then, or if they have filled it
-/// together, still its share.
+/// Brings the domain to rest. All ranks that share it call it.
 /// @param saved  state of the static stages to go on from; null: none
 /// @param until  name of the stage that the run ends after; empty: the last one
 /// @throws std::runtime_error where the ground finds no rest; a frame then shows where it moves

@@ -3,13 +3,11 @@
 // brings it to rest under gravity, replaces the supports by tractions, and shakes it through its boundary
 // faces with what the coupler brings.
 //
-// mpirun may have started it as several ranks (docs/ranks.md). They fill the domain together, or each builds
-// all of it and keeps its share; they bring it to rest and shake it together. Only rank 0 knows the coupler
-// and writes results; it runs on the machine of the run, the others there or on machines that share its
-// folder.
+// mpirun may have started it as several ranks (docs/ranks.md). They fill the domain together, bring it to
+// rest and shake it; none of them ever has all of it. Only rank 0 knows the coupler and writes results; it
+// runs on the machine of the run, the others there or on machines that share its folder.
 
 #include "coupler/participant.hpp"
-#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/process/checkpoints.hpp"
 #include "mpm_domain/process/column_from_case.hpp"
 #include "mpm_domain/process/column_source.hpp"
@@ -198,10 +196,9 @@ void step_to_end(Stepper& stepper, Snapshot& snapshot, RankZeroDriver* driver, c
 }
 
 /// @param client  null on all ranks but the first
-/// @param ranks   null where there is one
 void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
            const coupler::ParticipantOptions& options, coupler::DomainClient* client, double gravity_seconds,
-           const results::CheckpointReader* saved, Communicator* ranks, const StageEnd& stop) {
+           const results::CheckpointReader* saved, const StageEnd& stop) {
   const double end = scene.end();
   double waiting_seconds = 0.0;
   CoupledFaces coupled(domain, scene, plan);
@@ -222,8 +219,6 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
   try {
     if (saved != nullptr)
       restore(domain, *saved);
-    if (ranks != nullptr && !domain.share)
-      share_out(domain, *ranks);
     snapshot.follow(followed, in_sliding_masses(scene, domain));
     Stepper stepper(domain, 0.0, coupled_source(coupled, client, waiting_seconds));
     std::optional<coupler::DomainClient::FirstStep> first;
@@ -254,9 +249,7 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
   Spec spec = spec_from_case(scene, options.threads);
   spec.rock_motion = rock_motion(scene, plan);
   auto saved = coupler::saved_state(options);
-  // With stages after gravity each rank builds the whole domain.
-  const bool together = may_fill_together(spec) && scene::static_stages(scene).empty();
-  Domain domain(spec, together ? ranks : nullptr);
+  Domain domain(spec, ranks);
   const bool before_shaking = saved && is_before_shaking(scene, *saved);
   if (saved && !before_shaking)
     domain.boundary.restore_rest(domain, *saved);
@@ -272,7 +265,7 @@ void run_share(const coupler::ParticipantOptions& options, const scene::Case& sc
     if (client != nullptr)
       std::filesystem::remove(options.out / "run.h5");
   }
-  shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), ranks, end_of(scene, until));
+  shake(domain, scene, plan, options, client, gravity_seconds, saved.get(), end_of(scene, until));
 }
 
 std::string this_machine() {

@@ -3,6 +3,7 @@
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/particles/bounds.hpp"
 #include "mpm_domain/prop/particle_nodes.hpp"
+#include "mpm_domain/ranks/lists_of_all.hpp"
 
 #include <Eigen/Dense>
 
@@ -20,29 +21,46 @@ namespace {
 /// A particle near a point.
 struct Near {
   std::size_t set;
-  std::size_t k;
+  std::uint32_t id;
+  double mass; ///< kg/m
+  Eigen::Vector2d position;
+  bool touches; ///< the point
 };
 
-/// Particles of some sets whose middles lie within a cell and one of their own sides.
+/// Puts what ranks have found together, in the order in which one process finds it.
+std::vector<Near> near_of_all(Communicator& ranks, const std::vector<Near>& own) {
+  std::vector<double> numbers;
+  for (const auto& [set, id, mass, position, touches] : own)
+    numbers.insert(numbers.end(), {static_cast<double>(set), static_cast<double>(id), mass, position.x(),
+                                   position.y(), touches ? 1.0 : 0.0});
+  numbers = lists_of_all(ranks, numbers);
+  std::vector<Near> all;
+  for (std::size_t n = 0; n < numbers.size(); n += 6)
+    all.push_back({static_cast<std::size_t>(numbers[n]),
+                   static_cast<std::uint32_t>(numbers[n + 1]),
+                   numbers[n + 2],
+                   {numbers[n + 3], numbers[n + 4]},
+                   numbers[n + 5] > 0.0});
+  std::ranges::stable_sort(all, {}, &Near::set);
+  return all;
+}
+
+/// Particles of some sets whose middles lie within a cell and one of their own sides; none unless one of them
+/// touches the point. Ranks have filled soil together, and each has the elastic bodies.
 std::vector<Near> particles_around(const Vector& position, const Ground& ground, std::size_t first,
                                    std::size_t end) {
   std::vector<Near> near;
-  bool touches = false;
   for (std::size_t s = first; s < end; ++s) {
     const Particles& set = ground.sets[s];
     for (std::size_t k = 0; k < set.size(); ++k) {
       const double distance = std::hypot(set.x[k] - position.x, set.y[k] - position.y);
       if (distance < set.cell_size + 2.0 * set.half_size)
-        near.push_back({s, k});
-      touches = touches || distance < 2.0 * set.half_size;
+        near.push_back({s, set.id[k], set.mass[k], {set.x[k], set.y[k]}, distance < 2.0 * set.half_size});
     }
   }
-  return touches ? near : std::vector<Near>{};
-}
-
-Eigen::Vector2d position_of(const Near& near, const Ground& ground) {
-  const Particles& set = ground.sets[near.set];
-  return {set.x[near.k], set.y[near.k]};
+  if (ground.share && first < ground.soil_sets)
+    near = near_of_all(*ground.share->ranks, near);
+  return std::ranges::any_of(near, &Near::touches) ? near : std::vector<Near>{};
 }
 
 } // namespace
@@ -84,24 +102,23 @@ void FastenedEnd::hold_particles(const Vector& position, Ground& ground, std::si
   double mass = 0.0;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   for (const Near& one : near) {
-    mass += ground.sets[one.set].mass[one.k];
-    centroid += ground.sets[one.set].mass[one.k] * position_of(one, ground);
+    mass += one.mass;
+    centroid += one.mass * one.position;
   }
   centroid /= mass;
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const Near& one : near) {
-    const Eigen::Vector2d from = position_of(one, ground) - centroid;
-    spread += ground.sets[one.set].mass[one.k] / mass * from * from.transpose();
+    const Eigen::Vector2d from = one.position - centroid;
+    spread += one.mass / mass * from * from.transpose();
   }
   if (!(spread.determinant() > 1e-6 * spread.trace() * spread.trace()))
     refuse("a single row of particles");
   const Eigen::Vector2d slope = spread.inverse() * (Eigen::Vector2d(position.x, position.y) - centroid);
   for (const Near& one : near) {
-    const Particles& set = ground.sets[one.set];
-    const double share = set.mass[one.k] / mass * (1.0 + slope.dot(position_of(one, ground) - centroid));
-    held_.push_back({one.set, set.id[one.k], share, set.x[one.k]});
-    mobility_ += share * share / set.mass[one.k];
-    keep_whole(ground, one.set, set.id[one.k]);
+    const double share = one.mass / mass * (1.0 + slope.dot(one.position - centroid));
+    held_.push_back({one.set, one.id, share, one.position.x()});
+    mobility_ += share * share / one.mass;
+    keep_whole(ground, one.set, one.id);
   }
 }
 
@@ -133,8 +150,8 @@ std::optional<mesh::Rectangle> FastenedEnd::bounds(const Ground& ground) const {
   mesh::Rectangle box = around_nothing;
   for (const Held& one : held_) {
     const Particles& set = ground.sets[one.set];
-    const std::size_t k = set.index_of[one.id];
-    reach_around(box, set.x[k], set.y[k]);
+    if (const std::size_t k = set.index_of[one.id]; k != Particles::nowhere)
+      reach_around(box, set.x[k], set.y[k]);
   }
   return box;
 }

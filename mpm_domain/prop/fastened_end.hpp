@@ -29,13 +29,13 @@ namespace tremolo::mpm_domain {
 class FastenedEnd {
 public:
   /// Particles that it holds stay whole from then on.
-  /// @param ground  at the start
+  /// @param ground  at the start; all ranks that have filled it call this
   /// @throws std::invalid_argument for a structure that is not there, or a point without particles
   FastenedEnd(const PropFastening& fastening, Ground& ground, const Contact& contact);
 
   /// Present position of the end, m.
   Vector position(const Ground& ground, const Contact& contact) const;
-  /// Around the particles that it holds; none: it is on a rigid body.
+  /// Around the particles here that it holds, or around nothing; none: it is on a rigid body.
   std::optional<mesh::Rectangle> bounds(const Ground& ground) const;
   /// Finds the nodes that it pulls at, for the particles' present positions.
   void follow(const Ground& ground);

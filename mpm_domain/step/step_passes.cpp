@@ -34,17 +34,12 @@ void order(Domain& domain, Step& step) {
   step.moved = 0.0;
 }
 
-/// Soil comes and goes among the particles of all: for that ranks that share the domain all have the whole.
 void begin_earthwork(Domain& domain, Step& step) {
-  Communicator* const ranks = domain.share ? domain.share->ranks : nullptr;
-  if (ranks != nullptr)
-    make_whole(domain);
   domain.earthworks.begin(domain, [&] { order(domain, step); });
-  if (ranks == nullptr)
+  if (!domain.share)
     return;
-  step.bounds = step_bounds(domain);
-  share_out(domain, *ranks);
-  step.nodes = ClockNodes(domain);
+  step.bounds = step_bounds(domain); // also of soil that has come
+  take_largest(domain, step.bounds);
 }
 
 void sort(Domain& domain, Step& step) {

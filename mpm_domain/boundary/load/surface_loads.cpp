@@ -3,6 +3,7 @@
 #include "mpm_domain/ground.hpp"
 #include "mpm_domain/particles/bounds.hpp"
 #include "mpm_domain/particles/fill/fill.hpp"
+#include "mpm_domain/ranks/lists_of_all.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 namespace tremolo::mpm_domain {
 
@@ -19,16 +21,42 @@ namespace {
 /// A particle that has nothing above it.
 struct Uppermost {
   std::size_t set;
-  std::size_t k;
+  std::uint32_t id;
+  Vector position; ///< m
 
-  bool operator==(const Uppermost&) const = default;
+  bool is_above(const Uppermost& other) const {
+    return std::tuple(position.y, other.set, other.id) > std::tuple(other.position.y, set, id);
+  }
 };
 
 /// The surface by columns as wide as the smallest particles, from the left.
-std::vector<std::optional<Uppermost>> surface_of(const Ground& ground, double width) {
+using Surface = std::vector<std::optional<Uppermost>>;
+
+void raise(std::optional<Uppermost>& column, const Uppermost& particle) {
+  if (!column || particle.is_above(*column))
+    column = particle;
+}
+
+/// Ranks take the uppermost of what each has in a column.
+Surface surface_of_all(Communicator& ranks, const Surface& own) {
+  std::vector<double> numbers;
+  for (std::size_t c = 0; c < own.size(); ++c)
+    if (own[c])
+      numbers.insert(numbers.end(),
+                     {static_cast<double>(c), static_cast<double>(own[c]->set),
+                      static_cast<double>(own[c]->id), own[c]->position.x, own[c]->position.y});
+  numbers = lists_of_all(ranks, numbers);
+  Surface surface(own.size());
+  for (std::size_t n = 0; n < numbers.size(); n += 5)
+    raise(surface[static_cast<std::size_t>(numbers[n])], {static_cast<std::size_t>(numbers[n + 1]),
+                                                          static_cast<std::uint32_t>(numbers[n + 2]),
+                                                          {numbers[n + 3], numbers[n + 4]}});
+  return surface;
+}
+
+Surface surface_of(const Ground& ground, double width) {
   const Box& box = ground.spec.box;
-  std::vector<std::optional<Uppermost>> surface(
-      static_cast<std::size_t>(std::lround((box.x_max - box.x_min) / width)));
+  Surface surface(static_cast<std::size_t>(std::lround((box.x_max - box.x_min) / width)));
   for (std::size_t s = 0; s < ground.soil_sets; ++s) {
     const Particles& set = ground.sets[s];
     const auto covers = static_cast<std::size_t>(std::lround(2.0 * set.half_size / width));
@@ -36,11 +64,10 @@ std::vector<std::optional<Uppermost>> surface_of(const Ground& ground, double wi
       const auto first =
           static_cast<std::size_t>(std::lround((set.x[k] - set.half_size - box.x_min) / width));
       for (std::size_t c = first; c < std::min(first + covers, surface.size()); ++c)
-        if (!surface[c] || set.y[k] > ground.sets[surface[c]->set].y[surface[c]->k])
-          surface[c] = {s, k};
+        raise(surface[c], {s, set.id[k], {set.x[k], set.y[k]}});
     }
   }
-  return surface;
+  return ground.share ? surface_of_all(*ground.share->ranks, surface) : surface;
 }
 
 /// The upper edge of a particle, and which part of it is loaded.
@@ -77,10 +104,10 @@ SurfaceLoads::SurfaceLoads(Ground& ground) : share_(ground.spec.loads.size(), 1.
       share_[load] = 0.0;
   const Box& box = ground.spec.box;
   const double width = particle_size(ground.spec, ground.mesh ? ground.mesh->tree().finest() : 0);
-  const auto surface = surface_of(ground, width);
+  const Surface surface = surface_of(ground, width);
   for (std::size_t load = 0; load < share_.size(); ++load) {
     const auto& [x_min, x_max, pressure, shear, growth] = ground.spec.loads[load];
-    std::optional<Uppermost> last;
+    const Uppermost* last = nullptr;
     for (std::size_t c = 0; c < surface.size(); ++c) {
       const double left = std::max(x_min, box.x_min + static_cast<double>(c) * width);
       const double right = std::min(x_max, box.x_min + static_cast<double>(c + 1) * width);
@@ -90,15 +117,15 @@ SurfaceLoads::SurfaceLoads(Ground& ground) : share_(ground.spec.loads.size(), 1.
         throw std::invalid_argument(
             fmt::format("the load from x = {:.6g} to {:.6g} m has no soil below it at x = {:.6g} m", x_min,
                         x_max, 0.5 * (left + right)));
-      const auto& [s, k] = *surface[c];
+      const auto& [s, id, position] = *surface[c];
       const double half = 0.5 * (right - left);
-      if (surface[c] == last) {
+      if (last != nullptr && s == last->set && id == last->id) {
         faces_.back().offset += half;
         faces_.back().half += half;
       } else {
-        faces_.push_back({load, s, ground.sets[s].id[k], left + half - ground.sets[s].x[k], half, {}, {}});
+        faces_.push_back({load, s, id, left + half - position.x, half, {}, {}});
       }
-      last = surface[c];
+      last = &*surface[c];
     }
   }
   for (const LoadedFace& face : faces_)
@@ -115,8 +142,8 @@ std::vector<mesh::Rectangle> SurfaceLoads::bounds(const Ground& ground) const {
   std::vector<mesh::Rectangle> boxes(share_.size(), around_nothing);
   for (const LoadedFace& face : faces_) {
     const Particles& set = ground.sets[face.set];
-    const std::size_t k = set.index_of[face.id];
-    reach_around(boxes[face.load], set.x[k], set.y[k]);
+    if (const std::size_t k = set.index_of[face.id]; k != Particles::nowhere)
+      reach_around(boxes[face.load], set.x[k], set.y[k]);
   }
   return boxes;
 }

@@ -40,7 +40,7 @@ class SurfaceLoads {
 public:
   /// Finds the particles that carry the loads of the spec. Those that grow while the ground is in motion do
   /// not act yet; all others are at their full size.
-  /// @param ground  at the start
+  /// @param ground  at the start; all ranks that have filled it call this
   /// @throws std::invalid_argument for a load with no soil below it
   explicit SurfaceLoads(Ground& ground);
 
@@ -53,7 +53,7 @@ public:
   /// Lets those that grow while the ground is in motion be as large as they are at a time of the simulation,
   /// s.
   void grow(const Spec& spec, double time);
-  /// Around the particles that carry each load.
+  /// Around the particles here that carry each load; where there are none, around nothing.
   std::vector<mesh::Rectangle> bounds(const Ground& ground) const;
   /// Brings forces and weights to where the soil is.
   void follow(const Ground& ground);

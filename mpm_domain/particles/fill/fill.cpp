@@ -3,6 +3,7 @@
 #include "mesh/cell_size.hpp"
 #include "mesh/polygon.hpp"
 #include "mpm_domain/particles/fill/plots.hpp"
+#include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/spec/plot.hpp"
 #include "mpm_domain/spec/slices.hpp"
 
@@ -117,15 +118,19 @@ std::vector<std::vector<Vector>> polygons_of(const std::vector<Owner>& owners,
   return polygons;
 }
 
-/// Where the part of a process begins in a sequence.
-std::size_t begin_of(int number, const FillPart& part, std::size_t length) {
-  return length * static_cast<std::size_t>(number) / static_cast<std::size_t>(part.count);
+/// The part of a sequence that a process lays; those of ranks 0, 1, ... follow each other.
+std::pair<std::size_t, std::size_t> part_of(const Communicator* ranks, std::size_t length) {
+  if (ranks == nullptr)
+    return {0, length};
+  const auto rank = static_cast<std::size_t>(ranks->rank());
+  const auto count = static_cast<std::size_t>(ranks->size());
+  return {length * rank / count, length * (rank + 1) / count};
 }
 
 } // namespace
 
 std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, const mesh::Quadtree* tree,
-                            FillPart part) {
+                            Communicator* ranks) {
   const double size = particle_size(spec);
   const int columns = count_along(spec.box.x_max - spec.box.x_min, size);
   const int rows = count_along(spec.box.y_max - spec.box.y_min, size);
@@ -137,7 +142,7 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
   std::ranges::transform(spec.linings, std::back_inserter(structures), &Lining::outline);
   if (structures.empty() && spec.cut_at_edges)
     structures.emplace_back(); // an outline without corners
-  Plots plots;
+  Plots plots(sets);
   const auto add = [&](int level, double x, double y) {
     const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
     if (plot.area == 0.0)
@@ -152,21 +157,19 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
     const auto kind = std::ranges::find_if(kinds, [&](const Kind& candidate) {
       return candidate.soil == soil && candidate.under_water == under_water;
     });
-    Particles& set =
-        sets[static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin())];
-    plots.add(set, plot, particle_size(spec, level));
+    plots.add(static_cast<std::size_t>(level) * kinds.size() + static_cast<std::size_t>(kind - kinds.begin()),
+              plot, particle_size(spec, level));
   };
   const std::vector<mesh::Cell> leaves = tree ? tree->leaves() : std::vector<mesh::Cell>{};
   const std::size_t length = tree ? leaves.size() : static_cast<std::size_t>(rows);
-  const std::size_t end = begin_of(part.number + 1, part, length);
-  for (std::size_t n = begin_of(part.number, part, length); n < end; ++n)
+  for (auto [n, end] = part_of(ranks, length); n < end; ++n)
     if (tree)
       fill_leaf(spec, leaves[n].level, tree->rectangle(leaves[n]), add);
     else
       for (int i = 0; i < columns; ++i)
         add(0, spec.box.x_min + (i + 0.5) * size, spec.box.y_min + (static_cast<double>(n) + 0.5) * size);
-  plots.join_slivers();
-  if (part.count == 1 && std::ranges::all_of(sets, [](const Particles& set) { return set.size() == 0; }))
+  plots.join_slivers(ranks);
+  if (ranks == nullptr && std::ranges::all_of(sets, [](const Particles& set) { return set.size() == 0; }))
     throw std::invalid_argument(no_particle);
   for (Particles& set : sets) {
     set.state.resize(set.size() * set.state_size);

@@ -12,17 +12,12 @@
 
 namespace tremolo::mpm_domain {
 
+class Communicator;
+
 /// Side of the square of a particle in a cell of a level, m.
 inline double particle_size(const Spec& spec, int level = 0) {
   return particle_size(mesh::cell_size(spec.cell_size, level), spec.particles_per_cell);
 }
-
-/// The part of a spec that one of several processes fills: of the rows of lattice points, or of the leaves of
-/// a graded mesh, the parts of processes 0, 1, ... follow each other.
-struct FillPart {
-  int number = 0;
-  int count = 1;
-};
 
 /// The message that refuses a spec without particles.
 inline constexpr const char* no_particle = "no particle lies in any region: the domain is empty";
@@ -32,15 +27,17 @@ inline constexpr const char* no_particle = "no particle lies in any region: the 
 /// particles have the numbers 0, 1, ... in the order in which they are laid.
 ///
 /// In a spec with structures or linings, squares are cut by these and by the edges of the regions: what is
-/// left keeps its area, and its particle stands at its centroid. Slivers join the nearest particle, so that
-/// such a spec is filled by one process.
+/// left keeps its area, and its particle stands at its centroid. Slivers join the nearest particle.
 ///
 /// On a graded mesh every leaf is filled alike, so that a particle's size goes with its cell; there is one
 /// set per soil and level, level by level.
-/// @param head  of the water of the spec; none without water
+/// @param head   of the water of the spec; none without water
+/// @param ranks  those that fill it together, each a part of the rows of lattice points, or of the leaves of
+/// a
+///               graded mesh; all call it. Null: all is filled here
 /// @throws std::invalid_argument if the box is not a multiple of the particle size, or one process fills all
 /// and no particle results
 std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head,
-                            const mesh::Quadtree* tree = nullptr, FillPart part = {});
+                            const mesh::Quadtree* tree = nullptr, Communicator* ranks = nullptr);
 
 } // namespace tremolo::mpm_domain

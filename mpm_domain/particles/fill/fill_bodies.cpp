@@ -75,7 +75,7 @@ std::vector<Particles> fill_bodies(const Spec& spec, const std::optional<Head>& 
     materials::validate(parts.front().law);
     if (head)
       parts.back() = under_water(parts.front(), spec);
-    Plots plots;
+    Plots plots(parts);
     const std::array outlines{structure.outline};
     const std::array holes{structure.hole};
     const auto [left, right] = std::ranges::minmax(structure.outline, {}, &Vector::x);
@@ -86,8 +86,7 @@ std::vector<Particles> fill_bodies(const Spec& spec, const std::optional<Head>& 
         const double x = spec.box.x_min + (i + 0.5) * size;
         const double y = spec.box.y_min + (j + 0.5) * size;
         const Plot plot = plot_of(outlines, holes, x, y, size);
-        Particles& set = head && head->is_wet(plot.x, plot.y) ? parts.back() : parts.front();
-        plots.add(set, plot, size);
+        plots.add(head && head->is_wet(plot.x, plot.y) ? 1 : 0, plot, size);
       }
     plots.join_slivers();
     if (parts.front().size() + parts.back().size() == 0)

@@ -35,6 +35,16 @@ std::vector<Numbering> numbering_of(const std::vector<Particles>& sets, Communic
   return numbering;
 }
 
+/// The particles of a set on this rank are a block, and can be found by their ids.
+/// @param all  of all ranks
+void become_block(Particles& set, std::size_t all, const Communicator& ranks) {
+  set.block_start.assign(static_cast<std::size_t>(ranks.rank()) + 1, 0);
+  set.block_start.resize(static_cast<std::size_t>(ranks.size()), set.size());
+  set.index_of.give(all);
+  for (std::size_t k = 0; k < set.size(); ++k)
+    set.index_of.put(set.id[k], k);
+}
+
 /// Particles that several ranks have filled take the numbers that one would have given them. Until the
 /// first sort those of each rank are a block.
 void number_over_ranks(std::vector<Particles>& sets, Communicator& ranks) {
@@ -48,10 +58,7 @@ void number_over_ranks(std::vector<Particles>& sets, Communicator& ranks) {
           "the soil '{}' has {} particles of one size; allowed: {} at the most", sets[s].soil, all, most));
     for (std::uint32_t& id : sets[s].id)
       id += static_cast<std::uint32_t>(before);
-    sets[s].index_of.give(static_cast<std::size_t>(all));
-    // The particles of each rank are a block.
-    sets[s].block_start.assign(static_cast<std::size_t>(ranks.rank()) + 1, 0);
-    sets[s].block_start.resize(static_cast<std::size_t>(ranks.size()), sets[s].size());
+    become_block(sets[s], static_cast<std::size_t>(all), ranks);
     is_empty &= all == 0;
   }
   if (is_empty)
@@ -60,15 +67,23 @@ void number_over_ranks(std::vector<Particles>& sets, Communicator& ranks) {
 
 } // namespace
 
-bool can_be_filled_in_parts(const Spec& spec) {
-  return spec.structures.empty() && spec.linings.empty() && !spec.cut_at_edges;
-}
-
 std::vector<Particles> fill_together(const Spec& spec, const std::optional<Head>& head,
                                      const mesh::Quadtree* tree, Communicator& ranks) {
-  std::vector<Particles> sets = fill(spec, head, tree, {ranks.rank(), ranks.size()});
+  std::vector<Particles> sets = fill(spec, head, tree, &ranks);
   number_over_ranks(sets, ranks);
   return sets;
+}
+
+void leave_to_first(std::span<Particles> sets, const Communicator& ranks) {
+  for (Particles& set : sets) {
+    const std::size_t all = set.size();
+    if (ranks.rank() != 0) {
+      set.id.clear();
+      set.state.clear();
+      set.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.clear(); });
+    }
+    become_block(set, all, ranks);
+  }
 }
 
 } // namespace tremolo::mpm_domain

@@ -1,7 +1,8 @@
 #include "mpm_domain/particles/fill/plots.hpp"
 
+#include "mpm_domain/ranks/lists_of_all.hpp"
+
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -21,35 +22,91 @@ void add_particle(Particles& set, const Plot& plot) {
     set.box_xx.back() = set.box_yy.back() = set.half_size * set.half_size;
 }
 
-std::size_t nearest(const Particles& set, const Plot& plot) {
-  std::size_t found = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < set.size(); ++k)
-    if (const double distance = std::hypot(set.x[k] - plot.x, set.y[k] - plot.y); distance < least) {
-      least = distance;
-      found = k;
-    }
-  return found;
+/// Whether this rank is the first of those that have the least of numbers, one by one.
+std::vector<bool> has_least(std::span<const double> numbers, Communicator* ranks) {
+  std::vector<bool> has(numbers.size(), true);
+  if (ranks == nullptr)
+    return has;
+  std::vector<double> least;
+  for (const double number : numbers)
+    least.push_back(-number);
+  ranks->largest(least);
+  std::vector<double> first;
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+    first.push_back(-numbers[n] == least[n] ? -ranks->rank() : -ranks->size());
+  ranks->largest(first);
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+    has[n] = first[n] == -ranks->rank();
+  return has;
 }
 
 } // namespace
 
-void Plots::add(Particles& set, const Plot& plot, double size) {
+void Plots::add(std::size_t set, const Plot& plot, double size) {
   if (is_particle(plot, size))
-    add_particle(set, plot);
+    add_particle(sets_[set], plot);
   else if (plot.area > 0.0)
-    slivers_.emplace_back(&set, plot);
+    slivers_.push_back({set, plot, true});
 }
 
-void Plots::join_slivers() {
-  for (const auto& [set, plot] : slivers_) {
-    if (set->size() == 0) {
-      add_particle(*set, plot);
+/// In the order in which one process would lay them.
+std::vector<Plots::Sliver> Plots::slivers_of_all(Communicator& ranks) const {
+  std::vector<double> numbers;
+  for (const auto& [set, plot, is_mine] : slivers_)
+    numbers.insert(numbers.end(),
+                   {static_cast<double>(ranks.rank()), static_cast<double>(set), plot.x, plot.y, plot.area});
+  numbers = lists_of_all(ranks, numbers);
+  std::vector<Sliver> all;
+  for (std::size_t n = 0; n < numbers.size(); n += 5)
+    all.push_back({static_cast<std::size_t>(numbers[n + 1]),
+                   {numbers[n + 2], numbers[n + 3], numbers[n + 4]},
+                   numbers[n] == ranks.rank()});
+  return all;
+}
+
+/// The first sliver of a set without particles becomes one.
+void Plots::begin_empty_sets(Communicator* ranks) {
+  std::vector<std::int64_t> sizes;
+  for (const Particles& set : sets_)
+    sizes.push_back(static_cast<std::int64_t>(set.size()));
+  if (ranks != nullptr)
+    ranks->add(sizes);
+  std::erase_if(slivers_, [&](const Sliver& sliver) {
+    const bool begins = sizes[sliver.set]++ == 0;
+    if (begins && sliver.is_mine)
+      add_particle(sets_[sliver.set], sliver.plot);
+    return begins;
+  });
+}
+
+Plots::Nearest Plots::nearest(const Sliver& sliver) const {
+  const Particles& set = sets_[sliver.set];
+  Nearest found{.distance = std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 0; k < set.size(); ++k)
+    if (const double distance = std::hypot(set.x[k] - sliver.plot.x, set.y[k] - sliver.plot.y);
+        distance < found.distance)
+      found = {k, distance};
+  return found;
+}
+
+void Plots::join_slivers(Communicator* ranks) {
+  if (ranks != nullptr)
+    slivers_ = slivers_of_all(*ranks);
+  begin_empty_sets(ranks);
+  std::vector<std::size_t> next;
+  std::vector<double> distances;
+  for (const Sliver& sliver : slivers_) {
+    const auto [k, distance] = nearest(sliver);
+    next.push_back(k);
+    distances.push_back(distance);
+  }
+  const std::vector<bool> is_here = has_least(distances, ranks);
+  for (std::size_t n = 0; n < slivers_.size(); ++n) {
+    if (!is_here[n])
       continue;
-    }
-    const std::size_t k = nearest(*set, plot);
-    set->volume[k] += plot.area;
-    set->mass[k] += set->density * plot.area;
+    Particles& set = sets_[slivers_[n].set];
+    set.volume[next[n]] += slivers_[n].plot.area;
+    set.mass[next[n]] += set.density * slivers_[n].plot.area;
   }
   slivers_.clear();
 }

@@ -3,23 +3,46 @@
 #include "mpm_domain/particles/particles.hpp"
 #include "mpm_domain/spec/plot.hpp"
 
-#include <utility>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace tremolo::mpm_domain {
+
+class Communicator;
 
 /// Makes particles of plots. What is too little for one (is_particle) goes to the nearest particle of its set
 /// once all are there; that one stays where it is, so that its box reaches no farther out.
 class Plots {
 public:
+  /// @param sets  that take the particles; they outlive this
+  explicit Plots(std::span<Particles> sets) : sets_(sets) {}
+
   /// Adds a particle without stress, with the density of its set, or keeps the sliver for later.
   /// @param size  of the square that the plot is part of, m
-  void add(Particles& set, const Plot& plot, double size);
+  void add(std::size_t set, const Plot& plot, double size);
   /// Shares the slivers out; the sets must not have moved.
-  void join_slivers();
+  /// @param ranks  those that fill together, each its part; all call it. Null: there are no others
+  void join_slivers(Communicator* ranks = nullptr);
 
 private:
-  std::vector<std::pair<Particles*, Plot>> slivers_;
+  struct Sliver {
+    std::size_t set;
+    Plot plot;
+    bool is_mine; ///< this rank has laid it
+  };
+  /// The particle that is next to a sliver.
+  struct Nearest {
+    std::size_t k = 0;
+    double distance; ///< m; infinite: there is none
+  };
+
+  std::vector<Sliver> slivers_of_all(Communicator& ranks) const;
+  void begin_empty_sets(Communicator* ranks);
+  Nearest nearest(const Sliver& sliver) const;
+
+  std::span<Particles> sets_;
+  std::vector<Sliver> slivers_;
 };
 
 } // namespace tremolo::mpm_domain

@@ -1,6 +1,8 @@
 #include "mpm_domain/process/output/stage_frames.hpp"
 
+#include "mpm_domain/process/output/frames/soil_frame.hpp"
 #include "mpm_domain/process/output/run_output.hpp"
+#include "mpm_domain/process/ranks/particles_at_start.hpp"
 #include "mpm_domain/transfer/snapshot.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/plan/stages/stages.hpp"
@@ -8,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -33,13 +36,22 @@ std::filesystem::path stage_folder(const std::filesystem::path& run, const scene
 
 void write_stage_frame(const std::filesystem::path& folder, const scene::Case& scene, Domain& domain,
                        const std::string& reason) {
-  std::filesystem::create_directories(folder);
-  const std::vector<std::string> no_sources(domain.boundary.faces().size());
-  const Snapshot snapshot(domain);
-  RunOutput output(folder, scene, scene::to_json(scene, scene::plan(scene)), domain, domain.sets, snapshot,
-                   no_sources);
-  output.write_before_shaking(Stepper(domain, 0.0, [](auto&&...) {}));
-  output.abort(reason);
+  const std::vector<Particles> found =
+      domain.share ? particles_at_start(domain, scene) : std::vector<Particles>{};
+  Snapshot snapshot(domain);
+  const Stepper stepper(domain, 0.0, [](auto&&...) {});
+  std::optional<RunOutput> output;
+  if (domain.has_structures_here()) {
+    std::filesystem::create_directories(folder);
+    const std::vector<std::string> no_sources(domain.boundary.faces().size());
+    output.emplace(folder, scene, scene::to_json(scene, scene::plan(scene)), domain,
+                   domain.share ? found : domain.sets, snapshot, no_sources);
+  }
+  snapshot.show(
+      {.all = true}, [&] { return SoilFrame(domain, stepper, scene).quantities(); },
+      [&] { output->write_before_shaking(stepper); });
+  if (output)
+    output->abort(reason);
 }
 
 } // namespace tremolo::mpm_domain

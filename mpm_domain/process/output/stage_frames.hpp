@@ -21,7 +21,7 @@ scene::Case case_of_stage(const scene::Case& scene, std::size_t stage);
 std::filesystem::path stage_folder(const std::filesystem::path& run, const scene::Case& scene,
                                    std::size_t stage);
 
-/// Writes a domain that has not been shaken into FOLDER/run.h5.
+/// Writes a domain that has not been shaken into FOLDER/run.h5. All ranks that share it call it.
 /// @param scene   of its stage
 /// @param reason  why the file has no more
 void write_stage_frame(const std::filesystem::path& folder, const scene::Case& scene, Domain& domain,

@@ -69,7 +69,7 @@ std::vector<Particles> particles_at_start(const Domain& domain, const scene::Cas
   const std::vector<std::vector<std::uint32_t>> faces = of_faces(domain);
   const auto is_wanted = [&](std::size_t s, std::size_t k) {
     const Particles& set = domain.sets[s];
-    return std::ranges::binary_search(faces[s], set.id[k]) || near.include(set, k);
+    return set.body.has_value() || std::ranges::binary_search(faces[s], set.id[k]) || near.include(set, k);
   };
   return gather_sets(domain, is_wanted, 0, [](std::size_t, std::size_t, std::vector<double>&) {}).sets;
 }

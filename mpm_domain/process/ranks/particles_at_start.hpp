@@ -7,10 +7,10 @@
 
 namespace tremolo::mpm_domain {
 
-/// The particles that output looks for at the start of shaking, of a domain that ranks have filled together:
-/// those nearest to monitors and to the points of lines and all around them, and those of the boundary's
-/// faces. All ranks call it; the first gets the domain's sets with these particles,
-/// the others get nothing.
+/// The particles that output looks for at the start of shaking, of a domain that ranks share: those nearest
+/// to monitors and to the points of lines and all around them, those of the boundary's faces, and those of
+/// elastic bodies. All ranks call it; the first gets the domain's sets with these particles, the others get
+/// nothing.
 std::vector<Particles> particles_at_start(const Domain& domain, const scene::Case& scene);
 
 } // namespace tremolo::mpm_domain

@@ -1,6 +1,5 @@
 #include "steps.hpp"
 
-#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/step/stepper.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/counted_communicator.hpp"
@@ -55,15 +54,16 @@ class Shaken {
 
 public:
   Shaken(const Box& box, int threads, Faces faces, Communicator* ranks)
-      : begun_(Clock::now()), domain_(spec_of(box, threads)), filling_(seconds_since(begun_)) {
+      : begun_(Clock::now()), domain_(spec_of(box, threads), ranks), filling_(seconds_since(begun_)) {
     if (faces == Faces::without)
       domain_.boundary.remove_faces();
     for (Particles& set : domain_.sets)
       for (std::size_t k = 0; k < set.size(); ++k)
         set.vx[k] = 0.01 * std::sin(2.0 * std::numbers::pi * set.y[k] / domain_.spec.box.y_min);
-    whole_ = static_cast<double>(domain_.particle_count());
+    auto particles = static_cast<std::int64_t>(domain_.particle_count());
     if (ranks != nullptr)
-      share_out(domain_, *ranks);
+      ranks->add({&particles, 1});
+    whole_ = static_cast<double>(particles);
     stepper_.emplace(domain_, 0.0, test_support::quiet_ground());
   }
 

@@ -1,7 +1,6 @@
 // What ranks send to each other in a step is what the perimeter of their tiles asks for, where there is no
 // boundary.
 
-#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/unit/mpm_domain/ranks/test_ranks.hpp"
@@ -56,9 +55,9 @@ constexpr std::uint64_t fields_a_step = 5 + 2;
 
 TEST(HaloTraffic, IsThatOfTheNodesInWindowsOfOthers) {
   TREMOLO_NEED_RANKS();
-  mpm_domain::Domain domain(test_support::elastic_box(100.0, 40.0, 1.0));
+  mpm_domain::Domain domain(test_support::elastic_box(100.0, 40.0, 1.0), test_support::test_ranks());
   domain.boundary.remove_faces();
-  share_out(domain, *test_support::test_ranks());
+  sort_particles(domain);
   EXPECT_EQ(traffic_of_a_step(domain).bytes, nodes_to_send(domain) * fields_a_step * sizeof(double));
 }
 
@@ -69,9 +68,9 @@ TEST(HaloTraffic, AcrossAStraightRimIsFiveRows) {
   TREMOLO_NEED_RANKS();
   if (test_support::test_ranks()->size() != 2)
     return; // more ranks have rims with corners
-  mpm_domain::Domain domain(test_support::elastic_box(44.0, 20.0, 1.0));
+  mpm_domain::Domain domain(test_support::elastic_box(44.0, 20.0, 1.0), test_support::test_ranks());
   domain.boundary.remove_faces();
-  share_out(domain, *test_support::test_ranks());
+  sort_particles(domain);
   const auto traffic = traffic_of_a_step(domain);
   EXPECT_EQ(traffic.messages, 2u);
   EXPECT_EQ(traffic.bytes, std::uint64_t{2} * 37 * 5 * fields_a_step * sizeof(double));

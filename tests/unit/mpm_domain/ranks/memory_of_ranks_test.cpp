@@ -45,8 +45,7 @@ TEST(MemoryOfRanks, IsThatOfTheirShares) {
   forget_peak();
   const double before = status("VmRSS");
   Domain domain(spec, &ranks);
-  mpm_domain::StaticStages stages(
-      domain, {.residual = 0.5}, {}, [](std::size_t, long, double) {}, &ranks);
+  mpm_domain::StaticStages stages(domain, {.residual = 0.5}, {}, [](std::size_t, long, double) {});
   stages.next();
   replace_constraints(domain, stages.finish());
   mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());

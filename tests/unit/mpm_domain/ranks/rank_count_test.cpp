@@ -2,7 +2,6 @@
 // domain as well, alone, and compares.
 
 #include "materials/relaxation/constant_damping.hpp"
-#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/step/recipe.hpp"
 #include "tests/support/box_models.hpp"
@@ -198,11 +197,8 @@ const Model models[] = {
 /// A domain in motion.
 class Scene {
 public:
-  /// @param together  ranks fill it, where they may
-  Scene(const Model& model, int threads, mpm_domain::Communicator* ranks, bool together = false)
-      : domain_(spec_of(model, threads),
-                together && may_fill_together(spec_of(model, threads)) ? ranks : nullptr),
-        is_filled_together_(domain_.share.has_value()), model_(model) {
+  Scene(const Model& model, int threads, mpm_domain::Communicator* ranks)
+      : domain_(spec_of(model, threads), ranks), model_(model) {
     for (mpm_domain::Particles& set : domain_.sets)
       for (std::size_t k = 0; k < set.size(); ++k) {
         set.vx[k] = model.drift.x;
@@ -212,7 +208,7 @@ public:
       if (!domain_.contact.is_elastic(b))
         test_support::set_motion(domain_, b, {model.drift, 0.0});
     wave_.angle = 0.2;
-    start(ranks);
+    start();
   }
 
   void steps(int count) {
@@ -230,19 +226,16 @@ public:
     });
     return saved;
   }
-  void load(const SavedState& saved, mpm_domain::Communicator* ranks) {
-    if (!is_filled_together_)
-      domain_.share.reset();
+  void load(const SavedState& saved) {
     restore(domain_, saved);
-    start(ranks);
+    start();
     stepper_->restore(saved);
   }
   const Domain& domain() const { return domain_; }
 
 private:
-  void start(mpm_domain::Communicator* ranks) {
-    if (ranks != nullptr && !domain_.share)
-      share_out(domain_, *ranks);
+  void start() {
+    const mpm_domain::Communicator* const ranks = domain_.share ? domain_.share->ranks : nullptr;
     stepper_.emplace(domain_, 0.9,
                      of_first(test_support::plane_wave_source(domain_, wave_, true, model_.drift), ranks));
   }
@@ -265,7 +258,6 @@ private:
   }
 
   Domain domain_;
-  bool is_filled_together_;
   const Model& model_;
   test_support::PlaneWave wave_;
   std::optional<Stepper> stepper_;
@@ -293,7 +285,7 @@ TEST_P(RankCount, DoesNotChangeABit) {
   }
   for (const int threads : thread_counts) {
     SCOPED_TRACE(threads);
-    Scene shared(GetParam(), threads, &ranks, threads > 1);
+    Scene shared(GetParam(), threads, &ranks);
     shared.steps(step_count());
     const SavedState state = shared.state();
     const std::vector<double> ledger = shared.domain().energy.state();
@@ -312,23 +304,21 @@ TEST_P(RankCount, DoesNotChangeABit) {
 TEST(Ranks, GoOnFromTheStateOfOneRank) {
   TREMOLO_NEED_RANKS();
   mpm_domain::Communicator& ranks = *test_support::test_ranks();
-  for (const std::string_view name : {"Drifting", "LevelsDrifting"})
-    for (const bool together : {false, true}) {
-      SCOPED_TRACE(name);
-      SCOPED_TRACE(together);
-      const Model& model = *std::ranges::find(models, name, &Model::name);
-      Scene whole(model, 1, nullptr);
-      whole.steps(23);
-      Scene shared(model, 1, together ? &ranks : nullptr, together);
-      shared.load(whole.state(), &ranks);
-      EXPECT_LT(shared.domain().particle_count(), whole.domain().particle_count());
-      shared.steps(15);
-      const SavedState state = shared.state();
-      if (ranks.rank() == 0) {
-        whole.steps(15);
-        expect_same(whole.state(), state);
-      }
+  for (const std::string_view name : {"Drifting", "LevelsDrifting", "DriftingBuilding", "Neighbours"}) {
+    SCOPED_TRACE(name);
+    const Model& model = *std::ranges::find(models, name, &Model::name);
+    Scene whole(model, 1, nullptr);
+    whole.steps(23);
+    Scene shared(model, 1, &ranks);
+    shared.load(whole.state());
+    EXPECT_LT(shared.domain().particle_count(), whole.domain().particle_count());
+    shared.steps(15);
+    const SavedState state = shared.state();
+    if (ranks.rank() == 0) {
+      whole.steps(15);
+      expect_same(whole.state(), state);
     }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, RankCount, testing::ValuesIn(models),
@@ -337,18 +327,20 @@ INSTANTIATE_TEST_SUITE_P(Models, RankCount, testing::ValuesIn(models),
 /// One message of each tick has all that its passes have booked.
 TEST(Ranks, SettleWhenAllElseIsDone) {
   TREMOLO_NEED_RANKS();
-  Domain domain(test_support::elastic_box(100.0, 40.0, 1.0));
-  EXPECT_EQ(mpm_domain::recipe(domain, test_support::quiet_ground()).back().name, "accelerations");
-  share_out(domain, *test_support::test_ranks());
-  EXPECT_EQ(mpm_domain::recipe(domain, test_support::quiet_ground()).back().name, "totals over ranks");
+  const Spec spec = test_support::elastic_box(100.0, 40.0, 1.0);
+  for (mpm_domain::Communicator* const with :
+       {static_cast<mpm_domain::Communicator*>(nullptr), test_support::test_ranks()}) {
+    Domain domain(spec, with);
+    EXPECT_EQ(mpm_domain::recipe(domain, test_support::quiet_ground()).back().name,
+              with == nullptr ? "accelerations" : "totals over ranks");
+  }
 }
 
 /// Where the tiles in a corner take ten times as long as others, ranks that have these get fewer particles.
 TEST(Ranks, ShareTheTimeThatTilesTake) {
   TREMOLO_NEED_RANKS();
   mpm_domain::Communicator& ranks = *test_support::test_ranks();
-  Domain domain(test_support::elastic_box(100.0, 40.0, 1.0));
-  share_out(domain, ranks);
+  Domain domain(test_support::elastic_box(100.0, 40.0, 1.0), &ranks);
   mpm_domain::RankShare& share = *domain.share;
   share.times.count_step();
   for (std::size_t tile = 0; tile < domain.tiles.count(); ++tile)

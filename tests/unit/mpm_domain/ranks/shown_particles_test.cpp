@@ -2,7 +2,6 @@
 // of the others' than a piece.
 
 #include "mpm_domain/particles/all/all_particles.hpp"
-#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 #include "mpm_domain/transfer/gather.hpp"
 #include "mpm_domain/transfer/snapshot.hpp"
@@ -90,14 +89,12 @@ mpm_domain::Spec layers() {
 
 /// A domain after some steps.
 struct Moved {
-  explicit Moved(Communicator* ranks) : domain(layers()) {
+  explicit Moved(Communicator* ranks) : domain(layers(), ranks) {
     for (Particles& set : domain.sets)
       for (std::size_t k = 0; k < set.size(); ++k) {
         set.vx[k] = drift.x;
         set.vy[k] = drift.y;
       }
-    if (ranks != nullptr)
-      share_out(domain, *ranks);
     stepper.emplace(domain, 0.0, test_support::quiet_ground());
     for (int step = 0; step < 30; ++step)
       stepper->step();

@@ -3,7 +3,6 @@
 
 #include "mpm_domain/gravity/static_stages.hpp"
 #include "mpm_domain/gravity/static_traction.hpp"
-#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/ranks/communicator.hpp"
 #include "tests/support/box_run.hpp"
 #include "tests/support/quiet_ground.hpp"
@@ -14,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -112,14 +110,20 @@ protected:
     GetParam().change(spec_, stages_);
   }
 
-  StaticStages walk(Domain& end, mpm_domain::Communicator* ranks) const {
-    return {end, {.residual = residual}, stages_, [](std::size_t, long, double) {}, ranks};
+  StaticStages walk(Domain& end) const {
+    return {end, {.residual = residual}, stages_, [](std::size_t, long, double) {}};
+  }
+
+  /// What a run could go on from after a stage.
+  static SavedState saved(const StaticStages& walk) {
+    SavedState state;
+    mpm_domain::AllParticles particles(walk.model());
+    particles.show({}, [&] { walk.save(particles, state); });
+    return state;
   }
 
   /// A few steps from rest on, and the state then.
-  static SavedState shake(Domain& domain, mpm_domain::Communicator* ranks) {
-    if (ranks != nullptr && !domain.share)
-      share_out(domain, *ranks);
+  static SavedState shake(Domain& domain) {
     mpm_domain::Stepper stepper(domain, 0.0, test_support::quiet_ground());
     for (int step = 0; step < 5; ++step)
       stepper.step();
@@ -159,101 +163,84 @@ TEST_P(StagesOfRanks, HaveTheBitsOfOneProcess) {
   std::optional<StaticStages> walk_alone;
   if (ranks.rank() == 0) {
     alone.emplace(spec_);
-    walk_alone.emplace(walk(*alone, nullptr));
+    walk_alone.emplace(walk(*alone));
   }
-  Domain shared(spec_);
-  StaticStages walk_of_ranks = walk(shared, &ranks);
+  Domain shared(spec_, &ranks);
+  StaticStages walk_of_ranks = walk(shared);
   while (!walk_of_ranks.are_over()) {
     SCOPED_TRACE("stage " + std::to_string(walk_of_ranks.over()));
     walk_of_ranks.next();
+    const SavedState state = saved(walk_of_ranks);
     if (!walk_alone)
       continue;
     walk_alone->next();
-    SavedState state, state_alone;
-    walk_of_ranks.save(state);
-    walk_alone->save(state_alone);
-    expect_same(state_alone, state);
+    expect_same(saved(*walk_alone), state);
   }
-  EXPECT_FALSE(shared.share); // each has the whole model
   const Reactions reactions = walk_of_ranks.finish();
+  EXPECT_LT(shared.particle_count(), reactions.particles); // no rank has all
   replace_constraints(shared, reactions);
-  const SavedState state = shake(shared, &ranks);
+  const SavedState state = shake(shared);
   if (!alone)
     return;
   const Reactions reactions_alone = walk_alone->finish();
+  EXPECT_EQ(reactions_alone.particles, alone->particle_count());
+  EXPECT_EQ(reactions.particles, alone->particle_count());
   expect_same(reactions_alone, reactions);
   replace_constraints(*alone, reactions_alone);
-  expect_same(shake(*alone, nullptr), state);
+  expect_same(shake(*alone), state);
 }
 
-class StagesOfGroundFilledTogether : public StagesOfRanks {};
-
-/// No rank ever has all of ground that they have filled together.
-TEST_P(StagesOfGroundFilledTogether, HaveTheBitsOfOneProcess) {
+/// What one process has saved after a stage, ranks go on with.
+TEST_P(StagesOfRanks, GoOnFromTheStateOfOneProcess) {
   TREMOLO_NEED_RANKS();
-  mpm_domain::Communicator& ranks = *test_support::test_ranks();
-  Domain shared(spec_, &ranks);
-  const auto come_to_rest = [this](Domain& domain, mpm_domain::Communicator* of) {
-    StaticStages stages = walk(domain, of);
-    stages.next();
-    const Reactions reactions = stages.finish();
-    replace_constraints(domain, reactions);
-    return reactions;
-  };
-  const Reactions reactions = come_to_rest(shared, &ranks);
-  EXPECT_LT(shared.particle_count(), reactions.particles);
-  const SavedState state = shake(shared, &ranks);
-  if (ranks.rank() != 0)
-    return;
+  if (stages_.empty())
+    return; // gravity is all
   Domain alone(spec_);
-  const Reactions reactions_alone = come_to_rest(alone, nullptr);
-  EXPECT_EQ(reactions_alone.particles, alone.particle_count());
-  EXPECT_EQ(reactions.particles, alone.particle_count());
-  expect_same(reactions_alone, reactions);
-  expect_same(shake(alone, nullptr), state);
-}
-
-std::vector<Site> sites_filled_together() {
-  std::vector<Site> chosen;
-  for (const Site& site : sites) {
-    Spec spec = test_support::elastic_box(100.0, 40.0, 1.0);
-    std::vector<StaticStage> stages;
-    site.change(spec, stages);
-    if (may_fill_together(spec) && stages.empty())
-      chosen.push_back(site);
+  StaticStages stages = walk(alone);
+  std::vector<SavedState> after;
+  while (!stages.are_over()) {
+    stages.next();
+    after.push_back(saved(stages));
   }
-  return chosen;
+  for (std::size_t broken = 0; broken + 1 < after.size(); ++broken) {
+    SCOPED_TRACE("after stage " + std::to_string(broken));
+    Domain domain(spec_, test_support::test_ranks());
+    StaticStages resumed = walk(domain);
+    resumed.restore(after[broken]);
+    while (!resumed.are_over())
+      resumed.next();
+    const SavedState state = saved(resumed);
+    if (test_support::test_ranks()->rank() == 0)
+      expect_same(after.back(), state);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(Sites, StagesOfGroundFilledTogether, testing::ValuesIn(sites_filled_together()),
-                         [](const auto& of) { return of.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Sites, StagesOfRanks, testing::ValuesIn(sites),
                          [](const auto& of) { return of.param.name; });
 
-/// Where the ground finds no rest, all ranks have the whole of it and the motion of its nodes.
+/// Where the ground finds no rest, particles take the motion of its nodes.
 TEST(Ranks, ShowWhereGroundFindsNoRest) {
   TREMOLO_NEED_RANKS();
   mpm_domain::Communicator& ranks = *test_support::test_ranks();
   Spec spec = test_support::elastic_box(100.0, 40.0, 1.0);
   test_support::add_building(spec);
   const auto fail = [&](mpm_domain::Communicator* with) {
-    auto domain = std::make_unique<Domain>(spec);
-    StaticStages stages(
-        *domain, {.residual = 1e-9, .max_time = 0.1}, {}, [](std::size_t, long, double) {}, with);
+    Domain domain(spec, with);
+    StaticStages stages(domain, {.residual = 1e-9, .max_time = 0.1}, {}, [](std::size_t, long, double) {});
     EXPECT_THROW(stages.next(), mpm_domain::NotAtRest);
-    take_velocities_of_nodes(*domain);
-    return domain;
+    take_velocities_of_nodes(domain);
+    SavedState state;
+    mpm_domain::AllParticles particles(domain);
+    particles.show({}, [&] { save(domain, particles, state); });
+    return state;
   };
-  const auto shared = fail(&ranks);
+  const SavedState shared = fail(&ranks);
   if (ranks.rank() != 0)
     return;
-  const auto alone = fail(nullptr);
-  ASSERT_EQ(shared->sets.size(), alone->sets.size());
-  for (std::size_t s = 0; s < alone->sets.size(); ++s) {
-    EXPECT_EQ(shared->sets[s].vy, alone->sets[s].vy);
-    EXPECT_NE(alone->sets[s].vy, std::vector<double>(alone->sets[s].size(), 0.0));
-  }
+  const SavedState alone = fail(nullptr);
+  expect_same(alone, shared);
+  const std::vector<double> vy = alone.numbers("soil0.vy");
+  EXPECT_NE(vy, std::vector<double>(vy.size(), 0.0));
 }
 
 } // namespace

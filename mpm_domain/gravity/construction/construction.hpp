@@ -26,7 +26,7 @@
 namespace tremolo::mpm_domain {
 
 /// Gives the particles and linings of a model what those of the model before have come to, and new soil the
-/// stress of its own weight.
+/// stress of its own weight. All ranks that share the models call it.
 void carry_over(const Domain& before, Domain& after);
 
 /// The bodies that are not among the structures of the model after, as indices into Contact::bodies().
@@ -38,7 +38,7 @@ std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, co
                                    const std::vector<Vector>& f1);
 
 /// Weight and buoyancy, in the model before, of the structures of the one after, with what props and
-/// structures that go did to them; none of one that is placed.
+/// structures that go did to them; none of one that is placed. Of ranks, the first has structures.
 /// @param of_going  what structures that go did, by body of the model before
 std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after,
                                       std::span<const RigidLoad> of_going);

@@ -1,46 +1,20 @@
-#include "mpm_domain/gravity/construction.hpp"
+#include "mpm_domain/gravity/construction/construction.hpp"
 
+#include "mpm_domain/gravity/construction/same_squares.hpp"
 #include "mpm_domain/particles/fill/rest_stress.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 namespace tremolo::mpm_domain {
 
 namespace {
 
-/// Number of the square of the model's lattice that a particle stands in.
-std::int64_t square_of(const Particles& set, std::size_t k, const Box& box) {
-  const double size = 2.0 * set.half_size;
-  const auto along = [size](double position, double origin) {
-    return static_cast<std::int64_t>(std::floor((position - origin) / size));
-  };
-  constexpr std::int64_t rows = std::int64_t{1} << 31;
-  return along(set.x[k], box.x_min) * rows + along(set.y[k], box.y_min);
-}
-
-/// A particle of the model before.
-struct Former {
-  const Particles* set;
-  std::size_t k;
-};
-
-/// Former contents of the squares of one soil and level, above the water and below it, or of one body.
-using Formers = std::unordered_map<std::int64_t, Former>;
-
-Formers formers_of(const Domain& before, const Particles& set) {
-  Formers formers;
-  for (const Particles& other : before.sets)
-    if (other.body.has_value() == set.body.has_value() && other.soil == set.soil &&
-        other.soil_index == set.soil_index && other.level == set.level)
-      for (std::size_t k = 0; k < other.size(); ++k)
-        formers.emplace(square_of(other, k, before.spec.box), Former{&other, k});
-  return formers;
+/// The ranks that share a model; null: there is one process.
+Communicator* ranks_of(const Domain& model) {
+  return model.share ? model.share->ranks : nullptr;
 }
 
 /// Fields of the undisturbed water, which are those of the model itself.
@@ -65,14 +39,24 @@ void take_state(Particles& set, std::size_t k, const Particles& from, std::size_
   set.y_initial[k] = set.y[k] - (from.y[j] - from.y_initial[j]);
 }
 
+/// Whether a set of the model before is of the same soil and level, above the water or below it, or of the
+/// same body.
+bool is_former(const Particles& other, const Particles& set) {
+  return other.body.has_value() == set.body.has_value() && other.soil == set.soil &&
+         other.soil_index == set.soil_index && other.level == set.level;
+}
+
 /// @returns which particles are new
-std::vector<bool> take_states(Particles& set, const Formers& formers, const Box& box) {
+std::vector<bool> take_states(Particles& set, const Domain& before) {
   std::vector<bool> is_new(set.size(), true);
-  for (std::size_t k = 0; k < set.size(); ++k)
-    if (const auto found = formers.find(square_of(set, k, box)); found != formers.end()) {
-      take_state(set, k, *found->second.set, found->second.k);
-      is_new[k] = false;
-    }
+  for (const Particles& other : before.sets)
+    if (is_former(other, set))
+      meet_in_squares(set, other, before.spec.box, ranks_of(before),
+                      [&](std::size_t k, const Particles& from, std::size_t j) {
+                        if (is_new[k])
+                          take_state(set, k, from, j);
+                        is_new[k] = false;
+                      });
   return is_new;
 }
 
@@ -95,9 +79,10 @@ const Lattice* lattice_of(const Domain& model, std::size_t structure) {
 void carry_over(const Domain& before, Domain& after) {
   std::vector<std::vector<bool>> is_new;
   for (Particles& set : after.sets)
-    is_new.push_back(take_states(set, formers_of(before, set), after.spec.box));
-  set_rest_stress(after.sets_of_soil(), after.spec,
-                  [&](std::size_t s, std::size_t k) { return is_new[s][k]; });
+    is_new.push_back(take_states(set, before));
+  set_rest_stress(
+      after.sets_of_soil(), after.spec, [&](std::size_t s, std::size_t k) { return is_new[s][k]; },
+      ranks_of(after));
   after.linings.carry_over(before.linings, before);
 }
 
@@ -133,7 +118,8 @@ std::vector<Vector> lacking_forces(const Domain& before, const Domain& after, co
 std::vector<RigidLoad> weights_before(const Domain& before, const Domain& after,
                                       std::span<const RigidLoad> of_going) {
   std::vector<RigidLoad> gone(of_going.begin(), of_going.end());
-  before.props.add_loads_of_removed(before, before.contact, after.props, gone);
+  if (before.has_structures_here())
+    before.props.add_loads_of_removed(before, before.contact, after.props, gone);
   const auto with_gone = [&](std::size_t body) { return before.contact.weight(body) + gone[body]; };
   std::vector<RigidLoad> weights;
   for (const RigidBody& body : after.contact.bodies()) {
