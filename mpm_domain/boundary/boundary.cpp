@@ -57,6 +57,16 @@ void Boundary::remove_faces() {
   followed_ = {};
 }
 
+namespace {
+
+/// Whether structures may change the motion of one of some nodes before the next sort.
+bool structures_reach_any(const Ground& ground, std::span<const std::size_t> nodes) {
+  return std::ranges::any_of(
+      nodes, [&](std::size_t node) { return ground.share->structures_reach(ground.position_of(node).at); });
+}
+
+} // namespace
+
 SavedNumbers Boundary::rest_state() {
   SavedNumbers state;
   for (BoundaryFace& face : faces_)
@@ -71,10 +81,11 @@ void Boundary::follow_sort(const Ground& ground) {
     return;
   if (ground.mesh)
     find_levels(ground, faces_);
+  soil_.tell_all(ground, motion_.kicks());
   soil_.follow_sort(ground, faces_);
   near_.follow_sort(ground, faces_, soil_, supports_.are_by_face());
   // What structures change at any node of the boundary the first rank tells all.
-  if (near_.are_enough() && ground.share->structures.empty())
+  if (near_.are_enough() && !structures_reach_any(ground, soil_.shared_nodes()))
     soil_.keep_near(ground, faces_, near_.all());
   motion_.forget_weights();
   passed_.follow_sort(ground, faces_, near_.all(), near_.are_enough());
@@ -108,7 +119,7 @@ void Boundary::exchange(Step& step, const FreeFieldSource& source) {
   for (const std::size_t f : followed_)
     evaluate(f);
   if (step.ground.has_pore_pressure())
-    lean_.find(step.ground, faces_, soil_.all(), free_field_);
+    lean_.find(step.ground, faces_, near_, soil_.all(), free_field_);
 }
 
 void Boundary::exchange(Step& step, Support& support) {
@@ -136,12 +147,13 @@ void Boundary::apply(Step& step) {
 ExactSums<BoundaryWork::count> Boundary::follow_update(Step& step) {
   const Ground& ground = step.ground;
   if (ground.has_pore_pressure())
-    motion_.see_kick(ground.grid);
+    motion_.see_kick(ground.grid, near_);
   ExactSums<BoundaryWork::count> sums = forces_.work(step, loads());
+  sums[BoundaryWork::of_input] += lean_.work(ground.grid, step.ticks.kick_of(0));
   if (ground.share && ground.share->ranks->rank() > 0)
     return sums;
-  // What all ranks work out counts on the first.
-  BoundaryWork work{.input = step.ticks.kick_of(0) * lean_.power(ground.grid)};
+  // The first rank follows all supports.
+  BoundaryWork work;
   if (step.ticks.is_first())
     work.springs = work.transfer = supports_.work();
   const ExactSums<BoundaryWork::count> more = sums_of(work.numbers());

@@ -63,7 +63,7 @@ public:
   std::span<const std::size_t> shared_nodes() const { return soil_.shared_nodes(); }
 
   /// The passes of a step. After a scatter: reads the soil at the faces.
-  void read_soil(Ground& ground) { soil_.read(ground, faces_); }
+  void read_soil(Ground& ground) { soil_.read(ground, faces_, motion_.kicks()); }
   /// At the first tick: finds the velocities of the faces and the free field and evaluates Eq. (6), then
   /// advances the supports one by one.
   void exchange(Step& step, const FreeFieldSource& source);
@@ -92,6 +92,9 @@ public:
   /// Motion of a rigid base half a step before the end of the step just made; at rest where there is none.
   BaseMotion base_motion() const;
 
+  /// Before a checkpoint the first rank learns what others alone know of it. All that share the domain call
+  /// it.
+  void tell_first(const Ground& ground) { soil_.tell_first(ground, motion_.kicks()); }
   /// State that a checkpoint stores between steps (state.hpp).
   template <class Writer>
   void save(Writer& to) const {

@@ -26,6 +26,7 @@ namespace tremolo::mpm_domain {
 struct BoundaryWork {
   static constexpr std::size_t count = 5;
   static constexpr std::size_t of_dashpots = 1; ///< where `dashpots` stands among the numbers()
+  static constexpr std::size_t of_input = 2;    ///< and `input`
 
   double held = 0.0; ///< of the static part
   double dashpots = 0.0;

@@ -3,6 +3,8 @@
 #include "mpm_domain/boundary/for_faces.hpp"
 #include "mpm_domain/ground.hpp"
 
+#include <array>
+
 namespace tremolo::mpm_domain {
 
 namespace {
@@ -74,8 +76,13 @@ void FaceMotion::begin_step(Step& step, std::span<const BoundaryFace> faces, Nea
     mean_[f] = step.ticks.clocks() > 1 ? take_mean(f) : v;
     seen_mean_[f] = step.ticks.clocks() > 1 ? mean_[f] : seen_[f]; // water knows one clock
   });
-  if (near.share(step.ground, seen_))
-    mean_ = seen_mean_ = seen_;
+  // Dry faces see what they move with.
+  const std::array<std::span<Vector>, 2> shared{seen_, mean_};
+  if (near.share(step.ground, std::span(shared).first(kicked_.empty() ? 1 : 2))) {
+    seen_mean_ = seen_;
+    if (kicked_.empty())
+      mean_ = seen_;
+  }
   velocity_ = seen_;
 }
 
@@ -89,11 +96,12 @@ void FaceMotion::go_on(Step& step, std::span<const BoundaryFace> faces, std::spa
   });
 }
 
-void FaceMotion::see_kick(const Grid& grid) {
-  kicked_.clear();
-  for (const FaceWeights& weights : weights_) {
-    const Vector v = velocity_after_at(grid, weights);
-    kicked_.insert(kicked_.end(), {v.x, v.y});
+void FaceMotion::see_kick(const Grid& grid, const NearFaces& near) {
+  kicked_.resize(2 * weights_.size());
+  for (const std::size_t f : near.all()) {
+    const Vector v = velocity_after_at(grid, weights_[f]);
+    kicked_[2 * f] = v.x;
+    kicked_[2 * f + 1] = v.y;
   }
 }
 

@@ -46,8 +46,11 @@ public:
                   std::span<const FaceSoil> soil);
   /// At a later tick: finds weights and v^m of the faces that are due.
   void go_on(Step& step, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil);
-  /// After the update of the nodes, where there is water.
-  void see_kick(const Grid& grid);
+  /// After the update of the nodes, where there is water: what is right at the faces whose particles this
+  /// rank has.
+  void see_kick(const Grid& grid, const NearFaces& near);
+  /// v+ of the last step by face, x and y (m/s); none without water and before the first step.
+  std::span<double> kicks() { return kicked_; }
 
   /// By face, m/s: v^m as the dashpots used it at the last exchange, its mean over the ticks since the
   /// exchange before, and that mean of v- itself.

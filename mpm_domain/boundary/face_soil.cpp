@@ -53,6 +53,18 @@ auto rows_of_soil(const List& list, std::span<FaceSoil> soil) {
                     [soil](std::size_t f, const double* numbers) { soil[f] = soil_of(numbers); }};
 }
 
+/// The kicks at the faces of a list.
+template <typename List>
+auto rows_of_kicks(const List& list, std::span<double> kicks) {
+  const std::size_t width = kicks.empty() ? 0 : 2;
+  return ListedRows{
+      &list, width,
+      [=](std::size_t f, double* numbers) { std::ranges::copy(kicks.subspan(width * f, width), numbers); },
+      [=](std::size_t f, const double* numbers) {
+        std::copy_n(numbers, width, kicks.subspan(width * f, width).begin());
+      }};
+}
+
 /// The sums of a scatter at nodes.
 /// @param node_of  (entry of the list) the node
 template <typename List, typename NodeOf>
@@ -84,6 +96,17 @@ void add_nodes_of_mesh(const Ground& ground, const mesh::Rectangle& box, std::ve
   }
 }
 
+/// Adds a node and, where sides are periodic, those that are one with it.
+void add_with_images(const Ground& ground, int column, int row, std::vector<std::size_t>& nodes) {
+  const Lattice& lattice = ground.grid;
+  const Box& box = ground.spec.box;
+  const auto period = static_cast<int>(std::lround((box.x_max - box.x_min) / lattice.h));
+  nodes.push_back(lattice.index(column, row));
+  for (const int image : {column - period, column + period})
+    if (ground.spec.periodic() && image >= 0 && image < lattice.nx)
+      nodes.push_back(lattice.index(image, row));
+}
+
 /// The nodes that some faces may touch while particles move by the distance between two sorts.
 std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const BoundaryFace> faces,
                                     std::span<const FaceSoil> soil, std::span<const std::size_t> which) {
@@ -102,7 +125,7 @@ std::vector<std::size_t> nodes_near(const Ground& ground, std::span<const Bounda
     }
     for (int j = cell(line.y_min - way, lattice.y0); j <= cell(line.y_max + way, lattice.y0) + 1; ++j)
       for (int i = cell(line.x_min - way, lattice.x0); i <= cell(line.x_max + way, lattice.x0) + 1; ++i)
-        nodes.push_back(lattice.index(i, j));
+        add_with_images(ground, i, j, nodes);
   }
   std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -153,12 +176,22 @@ void SoilAtFaces::keep_near(const Ground& ground, std::span<const BoundaryFace> 
   near_->sums = of_others(nodes_, [&](std::size_t node) { return owner_of_node(ground, node); });
 }
 
-void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces) {
+void SoilAtFaces::tell_all(const Ground& ground, std::span<double> kicks) {
+  if (ground.share && !kicks.empty())
+    exchange_all(*ground.share->ranks, numbers_, rows_of_kicks(faces_, kicks));
+}
+
+void SoilAtFaces::tell_first(const Ground& ground, std::span<double> kicks) {
+  if (ground.share && !kicks.empty())
+    give_to_first(*ground.share->ranks, numbers_, rows_of_kicks(faces_, kicks));
+}
+
+void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces, std::span<double> kicks) {
   if (!ground.share && !ground.has_pore_pressure())
     return;
   soil_.resize(faces.size());
   if (ground.share)
-    share(ground, faces);
+    share(ground, faces, kicks);
   else
     for_faces(ground.workers, faces.size(),
               [&](std::size_t f) { soil_[f] = soil_at(faces[f], ground.sets[faces[f].set]); });
@@ -173,14 +206,14 @@ void SoilAtFaces::read_own(const Ground& ground, std::span<const BoundaryFace> f
     soil_[f] = soil_at(faces[f], ground.sets[faces[f].set]);
 }
 
-void SoilAtFaces::share(Ground& ground, std::span<const BoundaryFace> faces) {
+void SoilAtFaces::share(Ground& ground, std::span<const BoundaryFace> faces, std::span<double> kicks) {
   Communicator& ranks = *ground.share->ranks;
   read_own(ground, faces);
   if (near_)
-    trade(ranks, near_->messages, rows_of_soil(near_->faces, soil_),
+    trade(ranks, near_->messages, rows_of_soil(near_->faces, soil_), rows_of_kicks(near_->faces, kicks),
           rows_of_sums(near_->sums, ground.grid, std::identity{}));
   else
-    exchange_all(ranks, numbers_, rows_of_soil(faces_, soil_),
+    exchange_all(ranks, numbers_, rows_of_soil(faces_, soil_), rows_of_kicks(faces_, kicks),
                  rows_of_sums(sums_, ground.grid, [this](std::size_t n) { return nodes_[n]; }));
 }
 

@@ -26,10 +26,15 @@ public:
   /// Then: these faces are enough for this rank until the next sort; all ranks say so or none.
   void keep_near(const Ground& ground, std::span<const BoundaryFace> faces,
                  std::span<const std::size_t> near);
-  /// After a scatter: reads the soil. Ranks exchange it, and the sums at the shared nodes, in
-  /// one message. Where there is pore water faces become as long as their soil. Positions are all that dry
-  /// soil needs of its faces: nothing is read where no ranks share it.
-  void read(Ground& ground, std::span<BoundaryFace> faces);
+  /// After a scatter: reads the soil. Ranks exchange it, the sums at the shared nodes, and the kicks, in one
+  /// message. Where there is pore water faces become as long as their soil. Positions are all that dry soil
+  /// needs of its faces: nothing is read where no ranks share it.
+  /// @param kicks  by face (FaceMotion::kicks)
+  void read(Ground& ground, std::span<BoundaryFace> faces, std::span<double> kicks);
+  /// Where ranks share the domain: all of them, or the first one, learn the kicks of the faces whose
+  /// particles others had at the last sort. All call it.
+  void tell_all(const Ground& ground, std::span<double> kicks);
+  void tell_first(const Ground& ground, std::span<double> kicks);
 
   /// The rank that has the particle of each face, if ranks share the domain.
   const SharedList& owners() const { return faces_; }
@@ -41,7 +46,7 @@ public:
 
 private:
   void read_own(const Ground& ground, std::span<const BoundaryFace> faces);
-  void share(Ground& ground, std::span<const BoundaryFace> faces);
+  void share(Ground& ground, std::span<const BoundaryFace> faces, std::span<double> kicks);
 
   /// What this rank exchanges where near faces are enough.
   struct Near {

@@ -174,11 +174,14 @@ bool pressure_is_gone(const Stepper& stepper, const scene::Case& scene) {
 }
 
 /// Steps to the end, and writes what is due. All ranks take part in what the first one writes.
-void step_to_end(Stepper& stepper, Snapshot& snapshot, RankZeroDriver* driver, const scene::Case& scene,
-                 double stop) {
+void step_to_end(Domain& domain, Stepper& stepper, Snapshot& snapshot, RankZeroDriver* driver,
+                 const scene::Case& scene, double stop) {
+  const auto quantities = [&] {
+    domain.boundary.tell_first(domain); // it may be to save a checkpoint
+    return SoilFrame(domain, stepper, scene).quantities();
+  };
   const auto show = [&](Snapshot::Extent wanted, const std::function<void()>& write) {
-    snapshot.show(
-        wanted, [&] { return SoilFrame(stepper.domain(), stepper, scene).quantities(); }, write);
+    snapshot.show(wanted, quantities, write);
   };
   if (!(stepper.time() < stop))
     show({.all = true}, [&] { driver->save(stepper); });
@@ -232,7 +235,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
     }
     if (client != nullptr)
       client->ready(coupled.faces(), 0.0, end, first);
-    step_to_end(stepper, snapshot, driver ? &*driver : nullptr, scene, stop.time);
+    step_to_end(domain, stepper, snapshot, driver ? &*driver : nullptr, scene, stop.time);
     if (driver)
       driver->finish(stepper, gravity_seconds, waiting_seconds);
   } catch (const std::exception& error) {

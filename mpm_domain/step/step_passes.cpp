@@ -59,15 +59,10 @@ void share_structure_velocities(Domain& domain) {
   if (domain.has_flow())
     fields.insert(fields.end(), {&grid.wx_after, &grid.wy_after});
   std::vector<double*> shared;
-  for (const std::size_t node : domain.boundary.shared_nodes()) {
-    const Vector position = domain.position_of(node).at;
-    if (std::ranges::any_of(domain.share->structures, [&](const mesh::Rectangle& box) {
-          return position.x > box.x_min && position.x < box.x_max && position.y > box.y_min &&
-                 position.y < box.y_max;
-        }))
+  for (const std::size_t node : domain.boundary.shared_nodes())
+    if (domain.share->structures_reach(domain.position_of(node).at))
       for (NodeField* const field : fields)
         shared.push_back(&(*field)[node]);
-  }
   if (shared.empty())
     return;
   std::vector<double> numbers;

@@ -190,4 +190,10 @@ bool RankShare::is_mine(std::size_t tile) const {
   return deal.owner[tile] == ranks->rank();
 }
 
+bool RankShare::structures_reach(const Vector& point) const {
+  return std::ranges::any_of(structures, [&](const mesh::Rectangle& box) {
+    return point.x > box.x_min && point.x < box.x_max && point.y > box.y_min && point.y < box.y_max;
+  });
+}
+
 } // namespace tremolo::mpm_domain

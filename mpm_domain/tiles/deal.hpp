@@ -61,6 +61,8 @@ struct RankShare {
 
   int owner(std::size_t tile) const { return deal.owner[tile]; }
   bool is_mine(std::size_t tile) const;
+  /// Whether structures may touch a point (m) until the next sort.
+  bool structures_reach(const Vector& point) const;
 };
 
 } // namespace tremolo::mpm_domain

@@ -19,16 +19,19 @@ LeaningEdge loads(double normal, const FaceSoil& below, const FaceSoil& above, c
 
 } // namespace
 
-void LeaningSides::find(const Ground& ground, std::span<const BoundaryFace> faces,
+void LeaningSides::find(const Ground& ground, std::span<const BoundaryFace> faces, const NearFaces& near,
                         std::span<const FaceSoil> soil, std::span<const eq6::FreeField> field) {
   edges_.clear();
   weights_.clear();
+  counts_.clear();
   FaceWeights at_line;
-  for (std::size_t f = 0; f + 1 < faces.size(); ++f) {
-    const std::size_t next = f + 1;
+  for (std::size_t n = 0; n + 1 < near.all().size(); ++n) {
+    const std::size_t f = near.all()[n];
+    const std::size_t next = near.all()[n + 1];
     const Side side = faces[f].side;
-    if (side == Side::base || faces[next].side != side || faces[f].behind.is_tied)
+    if (next != f + 1 || side == Side::base || faces[next].side != side || faces[f].behind.is_tied)
       continue;
+    counts_.push_back(ground.sets[faces[f].set].index_of[faces[f].id] != Particles::nowhere);
     edges_.push_back(
         loads(faces[f].ground.normal.x, soil[f], soil[next], field[f].stress, field[next].stress));
     const FacePosition& below = soil[f].position;
@@ -44,13 +47,18 @@ void LeaningSides::find(const Ground& ground, std::span<const BoundaryFace> face
   }
 }
 
-double LeaningSides::power(const Grid& grid) const {
-  double sum = 0.0;
-  for (std::size_t e = 0; e < edges_.size(); ++e)
+ExactSum LeaningSides::work(const Grid& grid, double kick) const {
+  ExactSum work;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    if (!counts_[e])
+      continue;
+    double power = 0.0;
     for (const auto& [node, w] : weights_[e])
-      sum += w * (edges_[e].on_soil.x * mean(grid.vx_before[node], grid.vx_after[node]) +
-                  edges_[e].on_soil.y * mean(grid.vy_before[node], grid.vy_after[node]));
-  return sum;
+      power += w * (edges_[e].on_soil.x * mean(grid.vx_before[node], grid.vx_after[node]) +
+                    edges_[e].on_soil.y * mean(grid.vy_before[node], grid.vy_after[node]));
+    work.add(kick * power);
+  }
+  return work;
 }
 
 } // namespace tremolo::mpm_domain

@@ -20,6 +20,8 @@
 
 #include "coupler/eq6/boundary_traction.hpp"
 #include "mpm_domain/boundary/boundary_faces.hpp"
+#include "mpm_domain/boundary/near/near_faces.hpp"
+#include "mpm_domain/ranks/exact_sum.hpp"
 
 #include <span>
 #include <vector>
@@ -34,20 +36,24 @@ struct LeaningEdge {
 
 class LeaningSides {
 public:
-  /// Finds the loads of all edges of sides that are not tied to each other.
+  /// Finds the loads of the edges of sides that are not tied to each other.
+  /// @param near        the faces that are worked out here: edges between two of them
   /// @param soil,field  one a face
-  void find(const Ground& ground, std::span<const BoundaryFace> faces, std::span<const FaceSoil> soil,
-            std::span<const eq6::FreeField> field);
+  void find(const Ground& ground, std::span<const BoundaryFace> faces, const NearFaces& near,
+            std::span<const FaceSoil> soil, std::span<const eq6::FreeField> field);
 
   std::span<const LeaningEdge> edges() const { return edges_; }
   /// Each node's share of an edge's load; a node may stand twice.
   std::span<const FaceWeights> weights() const { return weights_; }
-  /// Power of the loads on soil on the mean of velocities before and after the last update, W/m.
-  double power(const Grid& grid) const;
+  /// Work of the loads on soil with the mean of velocities before and after the last update, J/m, that counts
+  /// on this rank: that of edges above faces whose particles it has.
+  /// @param kick  time that they have acted for, s
+  ExactSum work(const Grid& grid, double kick) const;
 
 private:
   std::vector<LeaningEdge> edges_;
   std::vector<FaceWeights> weights_;
+  std::vector<bool> counts_; ///< by edge
 };
 
 } // namespace tremolo::mpm_domain

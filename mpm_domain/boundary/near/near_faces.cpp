@@ -22,13 +22,13 @@ std::size_t tile_of(const Ground& ground, const BoundaryFace& face) {
   return static_cast<std::size_t>(next - set.block_start.begin() - 1) % ground.tiles.count();
 }
 
-/// Whether this rank owns a tile within reach of a face.
-bool is_near(const Ground& ground, const FacePosition& face) {
+/// Whether this rank owns a tile within reach of a point, m.
+bool is_near(const Ground& ground, const Vector& point) {
   for (int level = 0; level < ground.soil_lattice_count(); ++level) {
     const Lattice& lattice = ground.lattice(level);
     const auto node = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
-    const int column = node(face.centre.x, lattice.x0);
-    const int row = node(face.centre.y, lattice.y0);
+    const int column = node(point.x, lattice.x0);
+    const int row = node(point.y, lattice.y0);
     // Every tile that has nodes between the outermost ones is met, or the tile before it is.
     for (int j = row - reach; j < row + reach + tile_rows; j += tile_rows)
       for (int i = column - reach; i < column + reach + tile_columns; i += tile_columns)
@@ -39,6 +39,15 @@ bool is_near(const Ground& ground, const FacePosition& face) {
   return false;
 }
 
+/// Whether this rank owns a tile within reach of a face, or of its image a period away.
+bool is_face_near(const Ground& ground, const FacePosition& face) {
+  if (is_near(ground, face.centre))
+    return true;
+  const Vector period{ground.spec.box.x_max - ground.spec.box.x_min, 0.0};
+  return ground.spec.periodic() &&
+         (is_near(ground, face.centre - period) || is_near(ground, face.centre + period));
+}
+
 } // namespace
 
 void NearFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> faces,
@@ -47,8 +56,7 @@ void NearFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> 
   near_.resize(faces.size());
   std::iota(near_.begin(), near_.end(), std::size_t{0});
   own_ = near_;
-  lacks_some_ =
-      ground.share && ground.clocks.count() == 1 && !ground.has_pore_pressure() && !ground.spec.periodic();
+  lacks_some_ = ground.share && ground.clocks.count() == 1 && !(ground.mesh && ground.spec.periodic());
   if (ground.share) {
     owners_ = soil.owners();
     const auto known = owners_.known_to(static_cast<std::size_t>(ground.share->ranks->rank()));
@@ -56,7 +64,7 @@ void NearFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> 
   }
   if (lacks_some_)
     std::erase_if(near_, [&](std::size_t f) {
-      return !std::ranges::binary_search(own_, f) && !is_near(ground, soil.all()[f].position);
+      return !std::ranges::binary_search(own_, f) && !is_face_near(ground, soil.all()[f].position);
     });
   find_groups(ground, faces);
 }
@@ -73,16 +81,21 @@ void NearFaces::find_groups(const Ground& ground, std::span<const BoundaryFace> 
   groups_.push_back(own_.size());
 }
 
-bool NearFaces::share(const Ground& ground, std::span<Vector> velocities) {
+bool NearFaces::share(const Ground& ground, std::span<const std::span<Vector>> velocities) {
   if (!lacks_some_)
     return false;
-  const ListedRows rows{&owners_, 2,
+  const ListedRows rows{&owners_, 2 * velocities.size(),
                         [velocities](std::size_t f, double* numbers) {
-                          numbers[0] = velocities[f].x;
-                          numbers[1] = velocities[f].y;
+                          for (const std::span<Vector> of_faces : velocities) {
+                            *numbers++ = of_faces[f].x;
+                            *numbers++ = of_faces[f].y;
+                          }
                         },
                         [velocities](std::size_t f, const double* numbers) {
-                          velocities[f] = {numbers[0], numbers[1]};
+                          for (const std::span<Vector> of_faces : velocities) {
+                            of_faces[f] = {numbers[0], numbers[1]};
+                            numbers += 2;
+                          }
                         }};
   if (are_enough())
     give_to_first(*ground.share->ranks, numbers_, rows);

@@ -6,8 +6,8 @@
 // the ledger, where its particle is. From that rank its velocity goes to the first one, which exchanges it
 // for the free field, and to all where supports look at more than their own faces.
 //
-// Where there is pore water, where sides are periodic, and where levels take steps of their own, each rank
-// works out all faces.
+// Where levels take steps of their own, and on a graded mesh with periodic sides, each rank works out all
+// faces.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
 #include "mpm_domain/boundary/face_soil.hpp"
@@ -35,8 +35,9 @@ public:
     return std::span(own_).subspan(groups_[number], groups_[number + 1] - groups_[number]);
   }
   /// The first rank has the velocities of all faces; all others too, unless near ones are enough for them.
+  /// @param velocities  of several kinds, each by face
   /// @returns whether each had but some: where each has worked out all, nothing happens
-  bool share(const Ground& ground, std::span<Vector> velocities);
+  bool share(const Ground& ground, std::span<const std::span<Vector>> velocities);
 
 private:
   void find_groups(const Ground& ground, std::span<const BoundaryFace> faces);

@@ -1,8 +1,10 @@
 #include "mpm_domain/boundary/walls/impervious_faces.hpp"
 
 #include "mpm_domain/ground.hpp"
+#include "mpm_domain/ranks/exact_sum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -48,7 +50,7 @@ void close(Ground& ground, const Boundary& boundary, Reactions& reactions) {
     for (const auto& [begin, end] : ground.soil_rows)
       std::fill(open.data() + begin, open.data() + end, 1.0);
   });
-  for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
+  for (const std::size_t f : boundary.near_faces().all()) {
     const BoundaryFace& face = boundary.faces()[f];
     if (face.side == Side::base && ground.sets[face.set].traits.flowing)
       for (int level = 0; level < ground.lattice_count(); ++level)
@@ -57,7 +59,7 @@ void close(Ground& ground, const Boundary& boundary, Reactions& reactions) {
   if (const RigidBase* const table = boundary.supports().find<RigidBase>())
     table->close_to_water(grid);
   reactions.clear();
-  for (std::size_t f = 0; f < boundary.faces().size(); ++f) {
+  for (const std::size_t f : boundary.near_faces().all()) {
     const BoundaryFace& face = boundary.faces()[f];
     const double load = -face.length * boundary.soil()[f].excess;
     if (ground.sets[face.set].traits.flowing)
@@ -69,21 +71,23 @@ void close(Ground& ground, const Boundary& boundary, Reactions& reactions) {
 }
 
 /// Takes the reactions off again.
-/// @returns their power on the flow n w, W/m
-double open(Ground& ground, const Reactions& reactions) {
+/// @param kick  time that they have acted for, s
+/// @returns their work on the flow n w at the nodes that count on this rank, J/m
+ExactSums<1> open(Ground& ground, const Reactions& reactions, double kick) {
   Grid& grid = ground.grid;
   const double density = ground.spec.water->fluid.density;
-  double power = 0.0;
+  ExactSums<1> work;
   for (const auto& [n, force] : reactions) {
     grid.water_force_x[n] -= force.x;
     grid.water_force_y[n] -= force.y;
     const double wet = grid.wet_volume[n];
     const double pores = wet > 0.0 ? grid.water_mass[n] / (density * wet) : 0.0;
-    power += 0.5 * pores *
-             (force.x * (grid.wx_before[n] - grid.vx_before[n] + grid.wx_after[n] - grid.vx_after[n]) +
-              force.y * (grid.wy_before[n] - grid.vy_before[n] + grid.wy_after[n] - grid.vy_after[n]));
+    if (ground.counts({n, n + 1}))
+      work[0].add(0.5 * kick * pores *
+                  (force.x * (grid.wx_before[n] - grid.vx_before[n] + grid.wx_after[n] - grid.vx_after[n]) +
+                   force.y * (grid.wy_before[n] - grid.vy_before[n] + grid.wy_after[n] - grid.vy_after[n])));
   }
-  return power;
+  return work;
 }
 
 } // namespace
@@ -95,8 +99,9 @@ std::vector<Pass> wall_passes(Ground& ground, const Boundary& boundary) {
   return {
       {Phase::forces, "", [&ground, &boundary, reactions](Step&) { close(ground, boundary, *reactions); }},
       {Phase::books, "", [&ground, reactions](Step& step) {
-         const double work = step.kicks.front() * open(ground, *reactions);
-         step.bookings.add([&energy = step.energy, work] { energy.input += work; });
+         step.bookings.add(
+             open(ground, *reactions, step.kicks.front()),
+             [&energy = step.energy](const std::array<double, 1>& work) { energy.input += work[0]; });
        }}};
 }
 

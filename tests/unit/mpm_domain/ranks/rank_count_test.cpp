@@ -217,8 +217,9 @@ public:
   }
 
   /// All that a checkpoint keeps: particles, boundary, ledger. Only rank 0 has the particles of all.
-  SavedState state() const {
+  SavedState state() {
     SavedState saved;
+    domain_.boundary.tell_first(domain_);
     mpm_domain::AllParticles particles(domain_, 1000); // in many pieces, which end within blocks
     particles.show({}, [&] {
       save(domain_, particles, saved);

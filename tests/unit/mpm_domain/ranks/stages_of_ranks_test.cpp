@@ -128,6 +128,7 @@ protected:
     for (int step = 0; step < 5; ++step)
       stepper.step();
     SavedState state;
+    domain.boundary.tell_first(domain);
     mpm_domain::AllParticles particles(domain);
     particles.show({}, [&] {
       save(domain, particles, state);
