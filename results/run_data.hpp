@@ -58,6 +58,14 @@ struct FramePart {
   std::span<const Field> fields;
 };
 
+/// What is known of a field in a file before its values are read.
+struct FieldShape {
+  std::string unit;
+  std::size_t particles = 0;
+  std::size_t components = 1;
+  bool integers = false; ///< of 32 bits
+};
+
 /// A field as read.
 struct FieldData {
   std::string unit;

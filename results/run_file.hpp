@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -178,6 +179,10 @@ public:
   std::vector<std::string> frame_fields(std::size_t frame) const;
   /// One field of one frame; integers are returned as doubles.
   FieldData frame_field(std::size_t frame, std::string_view name) const;
+  /// A field of a frame without its values, and these in pieces of whole particles.
+  FieldShape frame_field_shape(std::size_t frame, std::string_view name) const;
+  void frame_field_in_pieces(std::size_t frame, std::string_view name,
+                             const std::function<void(FieldValues piece)>& take) const;
   /// Names of the fields of a part of a frame; none in a run without such parts.
   /// @param group  one of frame_parts
   std::vector<std::string> part_fields(std::string_view group, std::size_t frame) const;

@@ -39,15 +39,32 @@ public:
     return fmt::format("/{}/{}", group, frame_names[frame]);
   }
 
-  FieldData field(const std::string& path) const {
+  FieldShape shape(const std::string& path) const {
     const Handle data = source.dataset(path);
     const Handle space(H5Dget_space(data.get()), H5Sclose);
     const Handle type(H5Dget_type(data.get()), H5Tclose);
-    const auto shape = source.shape(space.get());
+    const auto extent = source.shape(space.get());
     return {source.attribute_as<std::string>(path, "unit"),
-            shape.size() > 1 ? static_cast<std::size_t>(shape[1]) : 1,
-            source.numbers<double>(data.get(), H5T_NATIVE_DOUBLE, path),
+            extent.empty() ? 0 : static_cast<std::size_t>(extent[0]),
+            extent.size() > 1 ? static_cast<std::size_t>(extent[1]) : 1,
             H5Tget_class(type.get()) == H5T_INTEGER};
+  }
+
+  FieldData field(const std::string& path) const {
+    const auto [unit, particles, components, integers] = shape(path);
+    const Handle data = source.dataset(path);
+    return {unit, components, source.numbers<double>(data.get(), H5T_NATIVE_DOUBLE, path), integers};
+  }
+
+  template <class Number>
+  void field_in_pieces(const std::string& path, hid_t type, std::size_t particles,
+                       const std::function<void(FieldValues piece)>& take) const {
+    constexpr std::size_t at_once = std::size_t{1} << 18; // particles: a few megabytes
+    const Handle data = source.dataset(path);
+    for (std::size_t first = 0; first < particles; first += at_once) {
+      const auto values = source.rows<Number>(data, type, first, std::min(at_once, particles - first), path);
+      take(std::span<const Number>(values));
+    }
   }
 
   FileReader source;
@@ -89,6 +106,20 @@ std::vector<std::string> RunReader::frame_fields(std::size_t frame) const {
 
 FieldData RunReader::frame_field(std::size_t frame, std::string_view name) const {
   return implementation_->field(fmt::format("{}/{}", implementation_->frame_path(frame), name));
+}
+
+FieldShape RunReader::frame_field_shape(std::size_t frame, std::string_view name) const {
+  return implementation_->shape(fmt::format("{}/{}", implementation_->frame_path(frame), name));
+}
+
+void RunReader::frame_field_in_pieces(std::size_t frame, std::string_view name,
+                                      const std::function<void(FieldValues piece)>& take) const {
+  const std::string path = fmt::format("{}/{}", implementation_->frame_path(frame), name);
+  const FieldShape shape = implementation_->shape(path);
+  if (shape.integers)
+    implementation_->field_in_pieces<std::int32_t>(path, H5T_NATIVE_INT32, shape.particles, take);
+  else
+    implementation_->field_in_pieces<double>(path, H5T_NATIVE_DOUBLE, shape.particles, take);
 }
 
 std::vector<std::string> RunReader::part_fields(std::string_view group, std::size_t frame) const {

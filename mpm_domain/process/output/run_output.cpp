@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace tremolo::mpm_domain {
 
@@ -272,8 +273,15 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
   std::ranges::stable_sort(names, {}, [](const std::string& name) {
     return std::ranges::find(field_order, name) - field_order.begin();
   });
-  const results::StoredFields particles(
-      names, [&](const std::string& name) { return before.frame_field(frame, name); });
+  std::vector<results::FieldShape> shapes;
+  for (const std::string& name : names)
+    shapes.push_back(before.frame_field_shape(frame, name));
+  std::vector<results::StreamedField> fields; // never all in memory
+  for (std::size_t n = 0; n < names.size(); ++n)
+    fields.push_back({names[n], shapes[n].unit, shapes[n].components, shapes[n].integers,
+                      [&before, frame, &name = names[n]](const auto& take) {
+                        before.frame_field_in_pieces(frame, name, take);
+                      }});
   std::vector<results::StoredFields> parts;
   std::vector<std::vector<results::Field>> fields_of;
   std::vector<results::FramePart> written;
@@ -284,7 +292,8 @@ void RunOutput::take_over_frame(const results::RunReader& before, std::size_t fr
     fields_of.push_back(part.fields());
   for (std::size_t n = 0; n < parts.size(); ++n)
     written.push_back({results::frame_parts[n], fields_of[n]});
-  writer_.write_frame(before.frame_times().at(frame), particles.fields(), written);
+  const std::size_t particles = shapes.empty() ? 0 : shapes.front().particles;
+  writer_.write_frame(before.frame_times().at(frame), particles, std::move(fields), written);
 }
 
 void RunOutput::write_last(const Stepper& stepper) {
