@@ -168,7 +168,9 @@ void restore_particles(Domain& domain, const Reader& from) {
     require_blocks(domain, set.block_start, sizes.back(), name_of(s));
   }
   if (domain.share)
-    deal_out_blocks(domain, *domain.share->ranks, boxes_from(from.numbers(near_structures)));
+    deal_out_blocks(domain, *domain.share->ranks,
+                    boxes_of_structures(domain).empty() ? std::vector<mesh::Rectangle>{}
+                                                        : boxes_from(from.numbers(near_structures)));
   for (std::size_t s = 0; s < domain.sets.size(); ++s) {
     const std::vector<ParticleRange> own = take_own_blocks(domain, domain.sets[s]);
     restore(domain.sets[s], name_of(s), own, sizes[s], from);
@@ -182,7 +184,8 @@ void save(const Domain& domain, const AllParticles& particles, Writer& to) {
   to.write("grid",
            std::vector<double>{grid.x0, grid.y0, static_cast<double>(grid.nx), static_cast<double>(grid.ny)});
   to.write("body_lattices", lattice_state(domain.bodies));
-  to.write(near_structures, numbers_of(boxes_of_structures(domain)));
+  if (const std::vector<mesh::Rectangle> boxes = boxes_of_structures(domain); !boxes.empty())
+    to.write(near_structures, numbers_of(boxes));
   for (std::size_t s = 0; s < domain.sets.size(); ++s)
     save(particles, s, domain.sets[s], to);
   domain.boundary.save(to);

@@ -59,7 +59,7 @@ public:
   template <class Number>
   void field_in_pieces(const std::string& path, hid_t type, std::size_t particles,
                        const std::function<void(FieldValues piece)>& take) const {
-    constexpr std::size_t at_once = std::size_t{1} << 18; // particles: a few megabytes
+    constexpr std::size_t at_once = std::size_t{1} << 16; // particles of a chunk
     const Handle data = source.dataset(path);
     for (std::size_t first = 0; first < particles; first += at_once) {
       const auto values = source.rows<Number>(data, type, first, std::min(at_once, particles - first), path);

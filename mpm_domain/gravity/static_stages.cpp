@@ -17,6 +17,29 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
+/// The quantities of particles as they are at some time. Who they are, and where they stand in their sets,
+/// stays.
+class KeptQuantities {
+public:
+  explicit KeptQuantities(const std::vector<Particles>& sets) {
+    for (const Particles& set : sets)
+      of_sets_.push_back({set, set.state});
+  }
+  void give_back(std::vector<Particles>& sets) const {
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      static_cast<ParticleFields&>(sets[s]) = of_sets_[s].fields;
+      sets[s].state = of_sets_[s].state;
+    }
+  }
+
+private:
+  struct OfSet {
+    ParticleFields fields;
+    std::vector<double> state;
+  };
+  std::vector<OfSet> of_sets_;
+};
+
 /// Bodies that move at least a hundredth as fast as the fastest: one that slides goes on under the damping,
 /// while others only answer to what it does to the soil.
 std::vector<std::size_t> moving_bodies(const Domain& domain) {
@@ -45,7 +68,7 @@ std::optional<std::vector<std::size_t>> release(Domain& domain, Relaxation& rela
   released.ramp = 0.0;
   released.first = rest.step;
   released.time = static_cast<double>(steps) * relaxation.step();
-  const std::vector<Particles> bonded = domain.sets;
+  const KeptQuantities bonded(domain.sets);
   const Linings bonded_linings = domain.linings;
   const Props bonded_props = domain.props;
   std::optional<std::vector<std::size_t>> moving;
@@ -53,7 +76,7 @@ std::optional<std::vector<std::size_t>> release(Domain& domain, Relaxation& rela
     moving.emplace();
     if (domain.has_structures_here())
       moving = moving_bodies(domain);
-    domain.sets = bonded;
+    bonded.give_back(domain.sets);
     domain.linings = bonded_linings;
     domain.props = bonded_props;
     relaxation.find_forces();
@@ -137,7 +160,7 @@ void StaticStages::next() {
 }
 
 void StaticStages::show(const std::function<void(Domain& model)>& act) {
-  const std::vector<Particles> sets = model_->sets;
+  const KeptQuantities kept(model_->sets);
   const Contact contact = model_->contact;
   for (std::size_t b = 0; b < contact.bodies().size(); ++b)
     if (const auto structure = std::ranges::find(ways_, contact.bodies()[b].name(), &StructureWay::name);
@@ -148,7 +171,7 @@ void StaticStages::show(const std::function<void(Domain& model)>& act) {
       displace(set);
   follow_elastic_bodies(*model_);
   act(*model_);
-  model_->sets = sets;
+  kept.give_back(model_->sets);
   model_->contact = contact;
 }
 

@@ -12,6 +12,7 @@
 #include <functional>
 #include <numeric>
 #include <span>
+#include <variant>
 #include <vector>
 
 using namespace tremolo::results;
@@ -33,6 +34,17 @@ void give_in_pieces(const std::vector<Number>& values, std::size_t components, c
     take(std::span(values).subspan(first, count));
     first += count;
   }
+}
+
+/// A field of the first frame.
+template <class Number>
+std::vector<Number> numbers_in_pieces(const RunReader& run, const char* name) {
+  std::vector<Number> numbers;
+  run.frame_field_in_pieces(0, name, [&](const FieldValues& piece) {
+    const auto values = std::get<std::span<const Number>>(piece);
+    numbers.insert(numbers.end(), values.begin(), values.end());
+  });
+  return numbers;
 }
 
 /// Values of a frame of particles.
@@ -79,6 +91,13 @@ TEST(Pieces, MakeTheFrameOfAllAtOnce) {
     EXPECT_EQ(run.frame_field(0, "position").unit, "m");
     EXPECT_TRUE(run.frame_field(0, "soil").integers);
     EXPECT_EQ(run.frame_field(0, "soil").values, std::vector<double>(cloud.soil.begin(), cloud.soil.end()));
+    EXPECT_EQ(numbers_in_pieces<double>(run, "stress"), cloud.stress);
+    EXPECT_EQ(numbers_in_pieces<std::int32_t>(run, "soil"), cloud.soil);
+    const FieldShape shape = run.frame_field_shape(0, "position");
+    EXPECT_EQ(shape.particles, size);
+    EXPECT_EQ(shape.components, 2u);
+    EXPECT_EQ(shape.unit, "m");
+    EXPECT_FALSE(shape.integers);
   }
 }
 

@@ -337,6 +337,21 @@ TEST(Ranks, SettleWhenAllElseIsDone) {
   }
 }
 
+/// Faces that are far from all tiles of a rank are left to others.
+TEST(Ranks, WorkOutTheirOwnFaces) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  for (const std::string_view name : {"Elastic", "Building", "Wet", "Periodic", "PeriodicWet", "LevelsWet"}) {
+    SCOPED_TRACE(name);
+    const Scene shared(*std::ranges::find(models, name, &Model::name), 1, &ranks);
+    const mpm_domain::NearFaces& near = shared.domain().boundary.near_faces();
+    EXPECT_TRUE(near.are_enough());
+    double lacking = static_cast<double>(shared.domain().boundary.faces().size() - near.all().size());
+    ranks.largest({&lacking, 1});
+    EXPECT_GT(lacking, 0.0);
+  }
+}
+
 /// Where the tiles in a corner take ten times as long as others, ranks that have these get fewer particles.
 TEST(Ranks, ShareTheTimeThatTilesTake) {
   TREMOLO_NEED_RANKS();
