@@ -3,6 +3,7 @@
 #include "mpm_domain/particles/bounds.hpp"
 #include "mpm_domain/particles/fill/fill_together.hpp"
 #include "mpm_domain/particles/grid_growth.hpp"
+#include "mpm_domain/particles/share_out.hpp"
 #include "mpm_domain/tiles/totals.hpp"
 
 #include <span>
@@ -75,6 +76,15 @@ std::vector<mesh::Rectangle> boxes_of_structures(const Domain& domain) {
   for (mesh::Rectangle& box : boxes)
     box = widened(box, domain.reach_of_structures());
   return boxes;
+}
+
+bool deal_anew_if_due(Domain& domain, const std::function<void()>& before) {
+  // Nodes that several clocks share keep sums from step to step.
+  if (!domain.share || domain.clocks.count() > 1 || !domain.share->is_time_to_look() ||
+      !deal_anew(domain, before))
+    return false;
+  follow_faces(domain);
+  return true;
 }
 
 void follow_faces(Domain& domain) {

@@ -10,6 +10,7 @@
 #include "mpm_domain/prop/props.hpp"
 #include "mpm_domain/section/sections.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -49,6 +50,12 @@ void make_room(Domain& domain, double time, long step);
 /// Boxes around all that structures, linings, props and surface loads may touch until the next sort, as far
 /// as this rank knows where they are, and else around nothing. From the first sort on, rank 0 knows it.
 std::vector<mesh::Rectangle> boxes_of_structures(const Domain& domain);
+
+/// Where it is time to look at what tiles cost, deals them anew if that is uneven (particles/share_out.hpp),
+/// and finds what particles may touch.
+/// @param before  as there
+/// @returns whether they are
+bool deal_anew_if_due(Domain& domain, const std::function<void()>& before);
 
 /// After faces have changed between two sorts, or particles have come to other ranks: these learn of it.
 void follow_faces(Domain& domain);

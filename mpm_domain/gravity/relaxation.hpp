@@ -78,6 +78,9 @@ private:
     ZeroPages<unsigned char> skin; ///< nodes whose unbalanced force does not count
   };
 
+  void weigh();
+  void find_pore_volumes();
+  void deal_anew_if_due(bool undrained);
   void stop_nodes();
   void find_supports();
   void find_supports(const Lattice& lattice);

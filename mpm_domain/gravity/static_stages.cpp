@@ -260,7 +260,7 @@ void StaticStages::end_stage() {
   relaxation_.reset();
   if (ranks_ == nullptr)
     return;
-  model_->share->times.restart(model_->tiles.count()); // steps of the shaking cost something else
+  model_->share->restart_times(model_->tiles.count()); // steps of the shaking cost something else
   follow_first();
 }
 

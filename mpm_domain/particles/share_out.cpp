@@ -75,6 +75,30 @@ void weigh_by_time(const RankShare& share, Census& census) {
       (*updates)[tile] = std::llround(cost[tile] * static_cast<double>((*updates)[tile]));
 }
 
+/// Load of what the first rank does besides particles, such as structures and output: what its time exceeds
+/// the time by that others take for a load like its own.
+std::int64_t load_besides(const RankShare& share, const Census& census) {
+  const std::size_t tiles = census.on_lattice.size();
+  if (share.times.steps() == 0 || share.deal.owner.size() != tiles)
+    return 0;
+  const auto ranks = static_cast<std::size_t>(share.ranks->size());
+  std::vector<std::int64_t> busy(ranks, 0); // ns of a step
+  busy[static_cast<std::size_t>(share.ranks->rank())] =
+      std::llround(1e9 * share.times.busy(share.idle()) / static_cast<double>(share.times.steps()));
+  share.ranks->add(busy);
+  std::vector<std::int64_t> load(ranks, 0);
+  for (std::size_t tile = 0; tile < tiles; ++tile)
+    if (const int owner = share.owner(tile); owner != Deal::nobody)
+      load[static_cast<std::size_t>(owner)] += census.on_lattice[tile] + census.across[tile];
+  const auto of_others = [](const std::vector<std::int64_t>& numbers) {
+    return static_cast<double>(std::reduce(numbers.begin() + 1, numbers.end()));
+  };
+  if (of_others(busy) <= 0.0 || of_others(load) <= 0.0)
+    return 0;
+  const double time = static_cast<double>(busy.front());
+  return std::max<std::int64_t>(std::llround(time * of_others(load) / of_others(busy)) - load.front(), 0);
+}
+
 /// Boxes around nodes that a graded mesh ties, and those that they follow: as far as particles across
 /// lattices may touch nodes, and where levels have clocks of their own, particles of two clocks.
 std::vector<mesh::Rectangle> boxes_of_ties(const Ground& ground) {
@@ -101,8 +125,9 @@ std::vector<mesh::Rectangle> boxes_of_ties(const Ground& ground) {
 
 /// Groups of tiles that must share a rank. The first rank owns those near structures (in these boxes), those
 /// at the joints of levels, and those of elastic bodies.
+/// @param besides  load of what it does besides
 Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> structures,
-                        const Census& census) {
+                        const Census& census, std::int64_t besides) {
   const TileMap& tiles = ground.tiles;
   std::vector<bool> is_of_first(tiles.count(), false);
   const auto take = [&](const std::vector<std::size_t>& some) {
@@ -121,7 +146,7 @@ Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> s
       is_of_first[tile] = true;
 
   Together together;
-  together.besides = census.all_across();
+  together.besides = census.all_across() + besides;
   for (std::vector<std::size_t>& group : tiles_of_images(ground))
     if (std::ranges::any_of(group, [&](std::size_t tile) { return is_of_first[tile]; }))
       take(group);
@@ -137,20 +162,55 @@ std::size_t all_blocks(const Ground& ground) {
   return ground.block_count() + ground.across_block_count();
 }
 
-} // namespace
-
-void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
+/// That of the particles in the blocks of the sets.
+Census census_of_blocks(const Ground& ground) {
   Census census(ground);
   for (const Particles& set : ground.sets)
     for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block)
       (block < ground.block_count() ? census.on_lattice : census.across)[block % ground.tiles.count()] +=
           static_cast<std::int64_t>(set.block_start[block + 1] - set.block_start[block])
           << ground.clock_of_block(block);
+  return census;
+}
+
+/// A deal, and what goes with it in a RankShare.
+struct Dealt {
+  Deal deal;
+  std::vector<std::int64_t> updates;
+  std::int64_t besides;
+};
+
+/// The deal that follows the present one.
+/// @param own  of this rank's particles
+Dealt next_deal(const Ground& ground, Census own) {
+  const RankShare& share = *ground.share;
+  share.ranks->add(own.on_lattice);
+  if (ground.mesh)
+    share.ranks->add(own.across);
+  std::vector<std::int64_t> updates = own.of_tiles();
+  weigh_by_time(share, own);
+  const Together together = tiles_together(ground, share.structures, own, load_besides(share, own));
+  return {follow(share.deal, ground.tiles, std::move(own.on_lattice), share.ranks->size(), together),
+          std::move(updates), together.besides};
+}
+
+void take(Ground& ground, Dealt dealt) {
+  RankShare& share = *ground.share;
+  share.deal = std::move(dealt.deal);
+  share.updates = std::move(dealt.updates);
+  share.besides = dealt.besides;
+  share.restart_times(ground.tiles.count());
+}
+
+} // namespace
+
+void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
+  Census census = census_of_blocks(ground);
   RankShare& share =
       ground.share.emplace(RankShare{.ranks = &ranks, .deal = {}, .updates = census.of_tiles()});
-  share.times.restart(ground.tiles.count());
+  share.restart_times(ground.tiles.count());
   weigh_by_time(share, census);
-  const Together together = tiles_together(ground, structures, census);
+  const Together together = tiles_together(ground, structures, census, 0);
   share.deal = deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together);
   share.structures = std::move(structures);
 }
@@ -171,15 +231,7 @@ void move_between_ranks(Ground& ground) {
                                                                  << ground.clocks.at(set.x[k], set.y[k]);
     }
   }
-  share.ranks->add(census.on_lattice);
-  if (ground.mesh)
-    share.ranks->add(census.across);
-  std::vector<std::int64_t> updates = census.of_tiles();
-  weigh_by_time(share, census);
-  share.updates = std::move(updates);
-  share.times.restart(ground.tiles.count());
-  const Together together = tiles_together(ground, share.structures, census);
-  share.deal = follow(share.deal, ground.tiles, std::move(census.on_lattice), share.ranks->size(), together);
+  take(ground, next_deal(ground, std::move(census)));
   for (std::size_t s = 0; s < ground.sets.size(); ++s) {
     Particles& set = ground.sets[s];
     Journey journey(*share.ranks, set);
@@ -191,6 +243,29 @@ void move_between_ranks(Ground& ground) {
     if (journey.count() > 0)
       journey.arrive(set, set.block_start.size());
   }
+}
+
+bool deal_anew(Ground& ground, const std::function<void()>& before) {
+  Dealt dealt = next_deal(ground, census_of_blocks(ground));
+  if (dealt.deal.owner == ground.share->deal.owner)
+    return false;
+  before();
+  take(ground, std::move(dealt));
+  const RankShare& share = *ground.share;
+  for (Particles& set : ground.sets) {
+    Journey journey(*share.ranks, set);
+    for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block) {
+      const int owner = share.owner(block % ground.tiles.count());
+      for (auto [k, end] = set.in_block(block); k < end; ++k)
+        if (owner == share.ranks->rank())
+          journey.stay(k);
+        else
+          journey.go(k, owner);
+    }
+    journey.arrive(set, all_blocks(ground));
+  }
+  resize_fields(ground.grid, ground.grid.size());
+  return true;
 }
 
 GatheredSets gather_sets(const Ground& ground, const Wanted& wanted, std::size_t more,

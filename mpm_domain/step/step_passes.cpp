@@ -95,6 +95,8 @@ std::vector<Pass> step_passes(Domain& domain) {
                             [&](Step& step) {
                               while (domain.earthworks.is_due(domain, step.time))
                                 begin_earthwork(domain, step);
+                              if (deal_anew_if_due(domain, [] {}))
+                                step.nodes = ClockNodes(domain);
                               choose_step(domain, step);
                             }},
                            {Phase::sort, "sort", [&](Step& step) { sort(domain, step); }}};

@@ -190,6 +190,18 @@ bool RankShare::is_mine(std::size_t tile) const {
   return deal.owner[tile] == ranks->rank();
 }
 
+double RankShare::idle() const {
+  return ranks->waited() + at_field;
+}
+
+bool RankShare::is_time_to_look() {
+  constexpr std::int64_t first = 20;
+  constexpr int most_doublings = 20;
+  const bool is_time = times.steps() == first << std::min(looks, most_doublings);
+  looks += is_time ? 1 : 0;
+  return is_time;
+}
+
 bool RankShare::structures_reach(const Vector& point) const {
   return std::ranges::any_of(structures, [&](const mesh::Rectangle& box) {
     return point.x > box.x_min && point.x < box.x_max && point.y > box.y_min && point.y < box.y_max;

@@ -36,7 +36,9 @@ inline constexpr double most_uneven = 1.15;
 /// Tiles that stay together. Each tile is alone or in one of these lists, whose tiles rise.
 struct Together {
   std::vector<std::size_t> of_first;
-  std::int64_t besides = 0; ///< load of the particles of the first rank that are not on one lattice alone
+  /// Load of the first rank that no tile has: that of particles which are not on one lattice alone, and of
+  /// what it alone does.
+  std::int64_t besides = 0;
   std::vector<std::vector<std::size_t>> groups; ///< each of one rank
 };
 
@@ -56,11 +58,20 @@ struct RankShare {
   Communicator* ranks; ///< outlives the domain
   Deal deal;
   std::vector<std::int64_t> updates = {}; ///< by tile, of the particles of all ranks in a step of clock 0
+  std::int64_t besides = 0;               ///< load of the first rank that no tile has, when these were dealt
   TileTimes times = {};                   ///< of this rank
+  int looks = 0;                          ///< how often is_time_to_look() has said so
+  double at_field = 0.0;                  ///< time that this rank has waited for the free field, s
   std::vector<mesh::Rectangle> structures = {}; ///< boxes around all that these may touch until the next sort
 
   int owner(std::size_t tile) const { return deal.owner[tile]; }
   bool is_mine(std::size_t tile) const;
+  /// Begins to measure what tiles cost.
+  void restart_times(std::size_t tiles) { times.restart(tiles, idle()); }
+  /// Time that this rank has waited for others and for the free field, s.
+  double idle() const;
+  /// Whether a look at what tiles have cost is due: after 20 steps, then 40, 80, ..., on all ranks at once.
+  bool is_time_to_look();
   /// Whether structures may touch a point (m) until the next sort.
   bool structures_reach(const Vector& point) const;
 };

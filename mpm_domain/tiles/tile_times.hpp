@@ -1,10 +1,11 @@
 #pragma once
 
-// What the particles of each tile cost a rank: the processor time of its gather and laws since the last sort.
+// What the particles of each tile cost a rank: the processor time of its gather and laws since the last deal.
 // Sand that has liquefied costs many times what it cost before, so that equal numbers of particles are no
-// equal shares of the work.
+// equal shares of the work. And how long the rank has been busy in all: one also has structures.
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
@@ -16,9 +17,12 @@ namespace tremolo::mpm_domain {
 class TileTimes {
 public:
   /// Nothing has been measured.
-  void restart(std::size_t tiles) {
+  /// @param idle  how long the rank has been waiting so far, s
+  void restart(std::size_t tiles, double idle) {
     nanoseconds_.assign(tiles, 0);
     steps_ = 0;
+    begin_ = Clock::now();
+    idle_ = idle;
   }
   void count_step() { ++steps_; }
   /// Adds to the time of a tile. Any thread may call it.
@@ -28,10 +32,19 @@ public:
 
   std::span<const std::int64_t> nanoseconds() const { return nanoseconds_; } ///< by tile
   std::int64_t steps() const { return steps_; }
+  /// Time in which the rank has not been waiting, s.
+  /// @param idle  as above, by now
+  double busy(double idle) const {
+    return std::chrono::duration<double>(Clock::now() - begin_).count() - (idle - idle_);
+  }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   std::vector<std::int64_t> nanoseconds_;
   std::int64_t steps_ = 0;
+  Clock::time_point begin_ = Clock::now();
+  double idle_ = 0.0; ///< at the beginning, s
 };
 
 /// Measures what its thread does while it lives.

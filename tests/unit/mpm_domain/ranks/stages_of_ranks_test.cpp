@@ -220,6 +220,27 @@ TEST_P(StagesOfRanks, HaveTheBitsOfOneProcess) {
   expect_same(shake(*alone), state);
 }
 
+/// While the ground comes to rest tiles are dealt anew, and it goes on as if they had not been.
+TEST_P(StagesOfRanks, DealTilesAnewWithoutChangingABit) {
+  TREMOLO_NEED_RANKS();
+  Domain shared(spec_, test_support::test_ranks());
+  StaticStages stages = walk(shared);
+  const std::vector<int> before = shared.share->deal.owner;
+  for (std::size_t tile = 0; tile < shared.tiles.count() / 3; ++tile)
+    if (shared.share->is_mine(tile))
+      shared.share->times.add(tile, 1'000'000'000);
+  stages.next();
+  const SavedState state = saved(stages);
+  if (&stages.model() == &shared)
+    EXPECT_NE(before, shared.share->deal.owner);
+  if (test_support::test_ranks()->rank() != 0)
+    return;
+  Domain alone(spec_);
+  StaticStages stages_alone = walk(alone);
+  stages_alone.next();
+  expect_same(saved(stages_alone), state);
+}
+
 /// What one process has saved after a stage, ranks go on with.
 TEST_P(StagesOfRanks, GoOnFromTheStateOfOneProcess) {
   TREMOLO_NEED_RANKS();
