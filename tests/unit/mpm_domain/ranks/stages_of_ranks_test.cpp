@@ -231,8 +231,9 @@ TEST_P(StagesOfRanks, DealTilesAnewWithoutChangingABit) {
       shared.share->times.add(tile, 1'000'000'000);
   stages.next();
   const SavedState state = saved(stages);
-  if (&stages.model() == &shared)
+  if (&stages.model() == &shared) {
     EXPECT_NE(before, shared.share->deal.owner);
+  }
   if (test_support::test_ranks()->rank() != 0)
     return;
   Domain alone(spec_);
