@@ -224,14 +224,15 @@ TEST_P(StagesOfRanks, HaveTheBitsOfOneProcess) {
 TEST_P(StagesOfRanks, DealTilesAnewWithoutChangingABit) {
   TREMOLO_NEED_RANKS();
   Domain shared(spec_, test_support::test_ranks());
-  StaticStages stages = walk(shared);
+  long steps = 0;
+  StaticStages stages(shared, {.residual = residual}, stages_,
+                      [&](std::size_t, long step, double) { steps = step; });
   const std::vector<int> before = shared.share->deal.owner;
-  for (std::size_t tile = 0; tile < shared.tiles.count() / 3; ++tile)
-    if (shared.share->is_mine(tile))
-      shared.share->times.add(tile, 1'000'000'000);
+  test_support::slow_down_corner(shared, 1'000'000);
   stages.next();
   const SavedState state = saved(stages);
-  if (&stages.model() == &shared) {
+  // Later models are dealt by themselves, and of the graded one the first rank has its own part anyway.
+  if (&stages.model() == &shared && !shared.mesh && steps > 20) {
     EXPECT_NE(before, shared.share->deal.owner);
   }
   if (test_support::test_ranks()->rank() != 0)
