@@ -59,7 +59,7 @@ public:
   /// The faces that this rank works out.
   const NearFaces& near_faces() const { return near_; }
   /// The nodes that faces may touch until the next sort, if ranks share the domain: this rank receives their
-  /// sums. Where there are structures the list is the same on all ranks.
+  /// sums. Where structures may touch one of them the list is the same on all ranks.
   std::span<const std::size_t> shared_nodes() const { return soil_.shared_nodes(); }
 
   /// The passes of a step. After a scatter: reads the soil at the faces.
@@ -92,9 +92,8 @@ public:
   /// Motion of a rigid base half a step before the end of the step just made; at rest where there is none.
   BaseMotion base_motion() const;
 
-  /// Before a checkpoint the first rank learns what others alone know of it. All that share the domain call
-  /// it.
-  void tell_first(const Ground& ground) { soil_.tell_first(ground, motion_.kicks()); }
+  /// Before a checkpoint, and at the end, the first rank learns what others alone know. All ranks call it.
+  void tell_first(const Ground& ground) { soil_.tell_first(ground, faces_, motion_.kicks()); }
   /// State that a checkpoint stores between steps (state.hpp).
   template <class Writer>
   void save(Writer& to) const {

@@ -125,37 +125,6 @@ mesh::Rectangle line_of(const BoundaryFace& face, const FacePosition& position) 
   return line;
 }
 
-namespace {
-
-/// What makes a face, in numbers.
-std::vector<double> numbers_of(std::span<const BoundaryFace> faces) {
-  std::vector<double> numbers;
-  for (const BoundaryFace& face : faces)
-    numbers.insert(numbers.end(), {static_cast<double>(face.side), static_cast<double>(face.set),
-                                   static_cast<double>(face.id), face.position.x, face.position.y,
-                                   face.start_x, face.length, face.ground.normal.x, face.ground.normal.y,
-                                   face.ground.impedance_p, face.ground.impedance_s, face.density});
-  return numbers;
-}
-
-std::vector<BoundaryFace> faces_of(const std::vector<double>& numbers) {
-  std::vector<BoundaryFace> faces;
-  for (auto next = numbers.begin(); next != numbers.end();) {
-    BoundaryFace& face = faces.emplace_back();
-    const auto take = [&next] { return *next++; };
-    face.side = static_cast<Side>(static_cast<int>(take()));
-    face.set = static_cast<std::size_t>(take());
-    face.id = static_cast<std::uint32_t>(take());
-    for (double* const number :
-         {&face.position.x, &face.position.y, &face.start_x, &face.length, &face.ground.normal.x,
-          &face.ground.normal.y, &face.ground.impedance_p, &face.ground.impedance_s, &face.density})
-      *number = take();
-  }
-  return faces;
-}
-
-} // namespace
-
 std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& spec, Communicator* ranks) {
   std::vector<BoundaryFace> faces;
   for (std::size_t s = 0; s < sets.size(); ++s) {
@@ -171,7 +140,7 @@ std::vector<BoundaryFace> find_faces(std::vector<Particles>& sets, const Spec& s
     }
   }
   if (ranks != nullptr)
-    faces = faces_of(lists_of_all(*ranks, numbers_of(faces)));
+    faces = lists_of_all(*ranks, faces);
   std::sort(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
     return std::tuple(a.side, a.position.y, a.position.x) < std::tuple(b.side, b.position.y, b.position.x);
   });

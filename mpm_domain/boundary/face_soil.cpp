@@ -181,9 +181,18 @@ void SoilAtFaces::tell_all(const Ground& ground, std::span<double> kicks) {
     exchange_all(*ground.share->ranks, numbers_, rows_of_kicks(faces_, kicks));
 }
 
-void SoilAtFaces::tell_first(const Ground& ground, std::span<double> kicks) {
-  if (ground.share && !kicks.empty())
-    give_to_first(*ground.share->ranks, numbers_, rows_of_kicks(faces_, kicks));
+void SoilAtFaces::tell_first(const Ground& ground, std::span<BoundaryFace> faces, std::span<double> kicks) {
+  if (!ground.share || faces.empty())
+    return;
+  give_to_first(*ground.share->ranks, numbers_, rows_of_kicks(faces_, kicks));
+  give_to_first(*ground.share->ranks, numbers_, rows_of_soil(faces_, soil_));
+  take_lengths(ground, faces);
+}
+
+void SoilAtFaces::take_lengths(const Ground& ground, std::span<BoundaryFace> faces) const {
+  if (ground.has_pore_pressure())
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      faces[f].length = soil_[f].length;
 }
 
 void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces, std::span<double> kicks) {
@@ -195,9 +204,7 @@ void SoilAtFaces::read(Ground& ground, std::span<BoundaryFace> faces, std::span<
   else
     for_faces(ground.workers, faces.size(),
               [&](std::size_t f) { soil_[f] = soil_at(faces[f], ground.sets[faces[f].set]); });
-  if (ground.has_pore_pressure())
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      faces[f].length = soil_[f].length;
+  take_lengths(ground, faces);
 }
 
 /// Reads the soil at the faces whose particles this rank has.

@@ -5,7 +5,8 @@
 // Ranks that share a domain exchange it. The consistent dashpots tie every node to its neighbours along the
 // side, so that a rank works out the faces near its tiles too (near/near_faces.hpp), with the same bits as
 // others: for that it receives where their particles are, and the sums at all nodes that they may touch until
-// the next sort. Where every rank works out all of the boundary, it receives these of all faces.
+// the next sort. Where every rank works out all of the boundary, where supports look at all of it, and where
+// structures may touch its nodes, it receives these of all faces.
 
 #include "mpm_domain/boundary/boundary_faces.hpp"
 #include "mpm_domain/fields/node_fields.hpp"
@@ -31,10 +32,11 @@ public:
   /// needs of its faces: nothing is read where no ranks share it.
   /// @param kicks  by face (FaceMotion::kicks)
   void read(Ground& ground, std::span<BoundaryFace> faces, std::span<double> kicks);
-  /// Where ranks share the domain: all of them, or the first one, learn the kicks of the faces whose
-  /// particles others had at the last sort. All call it.
+  /// Where ranks share the domain: all learn the kicks of the faces whose particles others had at the last
+  /// sort. All call it.
   void tell_all(const Ground& ground, std::span<double> kicks);
-  void tell_first(const Ground& ground, std::span<double> kicks);
+  /// Likewise the first one, and what was read of the soil there.
+  void tell_first(const Ground& ground, std::span<BoundaryFace> faces, std::span<double> kicks);
 
   /// The rank that has the particle of each face, if ranks share the domain.
   const SharedList& owners() const { return faces_; }
@@ -47,6 +49,7 @@ public:
 private:
   void read_own(const Ground& ground, std::span<const BoundaryFace> faces);
   void share(Ground& ground, std::span<const BoundaryFace> faces, std::span<double> kicks);
+  void take_lengths(const Ground& ground, std::span<BoundaryFace> faces) const;
 
   /// What this rank exchanges where near faces are enough.
   struct Near {

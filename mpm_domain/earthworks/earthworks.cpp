@@ -38,24 +38,7 @@ struct InRegion {
   Vector position; ///< m
 };
 
-/// Puts what ranks have found together, in the order in which one process finds it.
-std::vector<InRegion> found_by_all(Communicator& ranks, const std::vector<InRegion>& own) {
-  std::vector<double> numbers;
-  for (const auto& [region, set, id, position] : own)
-    numbers.insert(numbers.end(), {static_cast<double>(region), static_cast<double>(set),
-                                   static_cast<double>(id), position.x, position.y});
-  numbers = lists_of_all(ranks, numbers);
-  std::vector<InRegion> all;
-  for (std::size_t n = 0; n < numbers.size(); n += 5)
-    all.push_back({static_cast<std::size_t>(numbers[n]),
-                   static_cast<std::size_t>(numbers[n + 1]),
-                   static_cast<std::uint32_t>(numbers[n + 2]),
-                   {numbers[n + 3], numbers[n + 4]}});
-  std::ranges::stable_sort(all, {}, [](const InRegion& one) { return std::pair(one.region, one.set); });
-  return all;
-}
-
-/// The particles of all regions that an earthwork removes.
+/// The particles of all regions that an earthwork removes, in the order in which one process finds them.
 std::vector<InRegion> particles_that_go(const Ground& ground) {
   std::vector<InRegion> found;
   const std::vector<Region>& regions = ground.spec.regions;
@@ -67,7 +50,10 @@ std::vector<InRegion> particles_that_go(const Ground& ground) {
           if (mesh::inside(regions[r].polygon, set.x[k], set.y[k]))
             found.push_back({r, s, set.id[k], {set.x[k], set.y[k]}});
       }
-  return ground.share ? found_by_all(*ground.share->ranks, found) : found;
+  if (ground.share)
+    found = lists_of_all(*ground.share->ranks, found);
+  std::ranges::stable_sort(found, {}, [](const InRegion& one) { return std::pair(one.region, one.set); });
+  return found;
 }
 
 } // namespace

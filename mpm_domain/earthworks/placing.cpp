@@ -50,17 +50,18 @@ private:
 
 /// Where the particles of all ranks are, as far as these touch a box.
 Occupied positions_in(const mesh::Rectangle& around, const Ground& ground) {
-  std::vector<double> corners;
+  std::vector<mesh::Rectangle> boxes;
   for (const Particles& set : ground.sets)
     for (std::size_t k = 0; k < set.size(); ++k)
-      if (const auto [x_min, y_min, x_max, y_max] = box_of(set, k);
-          x_max >= around.x_min && x_min <= around.x_max && y_max >= around.y_min && y_min <= around.y_max)
-        corners.insert(corners.end(), {x_min, y_min, x_max, y_max});
+      if (const mesh::Rectangle box = box_of(set, k); box.x_max >= around.x_min &&
+                                                      box.x_min <= around.x_max &&
+                                                      box.y_max >= around.y_min && box.y_min <= around.y_max)
+        boxes.push_back(box);
   if (ground.share)
-    corners = lists_of_all(*ground.share->ranks, corners);
+    boxes = lists_of_all(*ground.share->ranks, boxes);
   Occupied occupied(ground.lattice(0).h);
-  for (std::size_t n = 0; n < corners.size(); n += 4)
-    occupied.add({corners[n], corners[n + 1], corners[n + 2], corners[n + 3]});
+  for (const mesh::Rectangle& box : boxes)
+    occupied.add(box);
   return occupied;
 }
 

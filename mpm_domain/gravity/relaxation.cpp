@@ -292,8 +292,10 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
   Patience patience(course);
   double share = course.ramp > 0.0 ? 0.0 : 1.0;
   for (long step = 0;; ++step) {
-    if (course.first == 0) // others go back to where they began, perhaps
+    if (course.may_deal)
       deal_anew_if_due(undrained);
+    if (domain_.share)
+      domain_.share->begin_step();
     const double passed = static_cast<double>(step) * dt_;
     if (passed < course.ramp + dt_ && course.ramp > 0.0) {
       share = ramped(passed / course.ramp);
@@ -318,7 +320,7 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
       domain_.props.follow_velocity(domain_, domain_.contact, dt_);
     strain(undrained);
     if (domain_.share)
-      domain_.share->times.count_step();
+      domain_.share->end_step();
   }
 }
 
@@ -376,20 +378,6 @@ struct NodeReaction {
   Vector force; ///< N/m
 };
 
-/// Puts the reactions of all ranks together, in the order of the nodes.
-std::vector<NodeReaction> reactions_of_all(Communicator& ranks, const std::vector<NodeReaction>& own) {
-  std::vector<double> numbers;
-  for (const auto& [node, of_base, force] : own)
-    numbers.insert(numbers.end(), {static_cast<double>(node), of_base ? 1.0 : 0.0, force.x, force.y});
-  std::vector<NodeReaction> all;
-  numbers = lists_of_all(ranks, numbers);
-  for (std::size_t n = 0; n < numbers.size(); n += 4)
-    all.push_back(
-        {static_cast<std::size_t>(numbers[n]), numbers[n + 1] > 0.0, {numbers[n + 2], numbers[n + 3]}});
-  std::ranges::sort(all, {}, &NodeReaction::node);
-  return all;
-}
-
 } // namespace
 
 Reactions Relaxation::reactions() const {
@@ -401,8 +389,10 @@ Reactions Relaxation::reactions() const {
   for (const std::size_t n : held_by_.sides)
     if (domain_.counts({n, n + 1}))
       held.push_back({n, false, {-grid.force_x[n], 0.0}});
-  if (domain_.share)
-    held = reactions_of_all(*domain_.share->ranks, held);
+  if (domain_.share) {
+    held = lists_of_all(*domain_.share->ranks, held);
+    std::ranges::sort(held, {}, &NodeReaction::node);
+  }
   Reactions reactions;
   for (const bool of_base : {true, false})
     for (const NodeReaction& one : held)

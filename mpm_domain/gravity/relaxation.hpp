@@ -33,6 +33,7 @@ struct Course {
   double skin = 0.0;    ///< unbalanced forces less deep than this below the surface do not count, in cells
   double falling = 0.0; ///< time is doubled while the residual is below this share of that half-way, 1
   long first = 0;       ///< number of the first step, for reports
+  bool may_deal = true; ///< tiles may be dealt anew among ranks: nobody keeps what particles were before
 };
 
 /// State at the end of a relaxation.

@@ -67,6 +67,7 @@ std::optional<std::vector<std::size_t>> release(Domain& domain, Relaxation& rela
   released.bonded = false;
   released.ramp = 0.0;
   released.first = rest.step;
+  released.may_deal = false; // it may go back to where it began
   released.time = static_cast<double>(steps) * relaxation.step();
   const KeptQuantities bonded(domain.sets);
   const Linings bonded_linings = domain.linings;
@@ -260,7 +261,7 @@ void StaticStages::end_stage() {
   relaxation_.reset();
   if (ranks_ == nullptr)
     return;
-  model_->share->restart_times(model_->tiles.count()); // steps of the shaking cost something else
+  model_->share->times.restart(model_->tiles.count()); // steps of the shaking cost something else
   follow_first();
 }
 

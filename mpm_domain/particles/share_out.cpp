@@ -57,7 +57,7 @@ struct Census {
 /// Processor time that an update takes besides gather and law, ns (docs/performance.md).
 constexpr double other_passes = 40.0;
 
-/// The load of updates: the time that they take, by what those of the same tile took since the last sort, ns.
+/// The load of updates: the time that they take, by what those of the same tile took since the last deal, ns.
 /// The census of a share that has not stepped yet, or whose tiles are others now, counts all alike.
 void weigh_by_time(const RankShare& share, Census& census) {
   const std::size_t tiles = census.on_lattice.size();
@@ -75,8 +75,8 @@ void weigh_by_time(const RankShare& share, Census& census) {
       (*updates)[tile] = std::llround(cost[tile] * static_cast<double>((*updates)[tile]));
 }
 
-/// Load of what the first rank does besides particles, such as structures and output: what its time exceeds
-/// the time by that others take for a load like its own.
+/// Load of what the first rank does besides particles, such as structures: what its time exceeds the time by
+/// that others take for a load like its own. An even share at the most, which leaves it some particles.
 std::int64_t load_besides(const RankShare& share, const Census& census) {
   const std::size_t tiles = census.on_lattice.size();
   if (share.times.steps() == 0 || share.deal.owner.size() != tiles)
@@ -84,7 +84,7 @@ std::int64_t load_besides(const RankShare& share, const Census& census) {
   const auto ranks = static_cast<std::size_t>(share.ranks->size());
   std::vector<std::int64_t> busy(ranks, 0); // ns of a step
   busy[static_cast<std::size_t>(share.ranks->rank())] =
-      std::llround(1e9 * share.times.busy(share.idle()) / static_cast<double>(share.times.steps()));
+      std::llround(1e9 * share.times.busy() / static_cast<double>(share.times.steps()));
   share.ranks->add(busy);
   std::vector<std::int64_t> load(ranks, 0);
   for (std::size_t tile = 0; tile < tiles; ++tile)
@@ -96,7 +96,9 @@ std::int64_t load_besides(const RankShare& share, const Census& census) {
   if (of_others(busy) <= 0.0 || of_others(load) <= 0.0)
     return 0;
   const double time = static_cast<double>(busy.front());
-  return std::max<std::int64_t>(std::llround(time * of_others(load) / of_others(busy)) - load.front(), 0);
+  const std::int64_t besides = std::llround(time * of_others(load) / of_others(busy)) - load.front();
+  const std::int64_t share_of_all = std::reduce(load.begin(), load.end()) / share.ranks->size();
+  return std::clamp<std::int64_t>(besides, 0, share_of_all);
 }
 
 /// Boxes around nodes that a graded mesh ties, and those that they follow: as far as particles across
@@ -199,7 +201,7 @@ void take(Ground& ground, Dealt dealt) {
   share.deal = std::move(dealt.deal);
   share.updates = std::move(dealt.updates);
   share.besides = dealt.besides;
-  share.restart_times(ground.tiles.count());
+  share.times.restart(ground.tiles.count());
 }
 
 } // namespace
@@ -208,7 +210,7 @@ void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rect
   Census census = census_of_blocks(ground);
   RankShare& share =
       ground.share.emplace(RankShare{.ranks = &ranks, .deal = {}, .updates = census.of_tiles()});
-  share.restart_times(ground.tiles.count());
+  share.times.restart(ground.tiles.count());
   weigh_by_time(share, census);
   const Together together = tiles_together(ground, structures, census, 0);
   share.deal = deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together);

@@ -236,6 +236,7 @@ void shake(Domain& domain, const scene::Case& scene, const scene::Plan& plan,
     if (client != nullptr)
       client->ready(coupled.faces(), 0.0, end, first);
     step_to_end(domain, stepper, snapshot, driver ? &*driver : nullptr, scene, stop.time);
+    domain.boundary.tell_first(domain);
     if (driver)
       driver->finish(stepper, gravity_seconds, waiting_seconds);
   } catch (const std::exception& error) {

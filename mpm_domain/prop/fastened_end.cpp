@@ -23,27 +23,11 @@ struct Near {
   std::size_t set;
   std::uint32_t id;
   double mass; ///< kg/m
-  Eigen::Vector2d position;
+  Vector position;
   bool touches; ///< the point
-};
 
-/// Puts what ranks have found together, in the order in which one process finds it.
-std::vector<Near> near_of_all(Communicator& ranks, const std::vector<Near>& own) {
-  std::vector<double> numbers;
-  for (const auto& [set, id, mass, position, touches] : own)
-    numbers.insert(numbers.end(), {static_cast<double>(set), static_cast<double>(id), mass, position.x(),
-                                   position.y(), touches ? 1.0 : 0.0});
-  numbers = lists_of_all(ranks, numbers);
-  std::vector<Near> all;
-  for (std::size_t n = 0; n < numbers.size(); n += 6)
-    all.push_back({static_cast<std::size_t>(numbers[n]),
-                   static_cast<std::uint32_t>(numbers[n + 1]),
-                   numbers[n + 2],
-                   {numbers[n + 3], numbers[n + 4]},
-                   numbers[n + 5] > 0.0});
-  std::ranges::stable_sort(all, {}, &Near::set);
-  return all;
-}
+  Eigen::Vector2d at() const { return {position.x, position.y}; }
+};
 
 /// Particles of some sets whose middles lie within a cell and one of their own sides; none unless one of them
 /// touches the point. Ranks have filled soil together, and each has the elastic bodies.
@@ -58,8 +42,10 @@ std::vector<Near> particles_around(const Vector& position, const Ground& ground,
         near.push_back({s, set.id[k], set.mass[k], {set.x[k], set.y[k]}, distance < 2.0 * set.half_size});
     }
   }
-  if (ground.share && first < ground.soil_sets)
-    near = near_of_all(*ground.share->ranks, near);
+  if (ground.share && first < ground.soil_sets) {
+    near = lists_of_all(*ground.share->ranks, near);
+    std::ranges::stable_sort(near, {}, &Near::set); // as one process finds them
+  }
   return std::ranges::any_of(near, &Near::touches) ? near : std::vector<Near>{};
 }
 
@@ -103,20 +89,20 @@ void FastenedEnd::hold_particles(const Vector& position, Ground& ground, std::si
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   for (const Near& one : near) {
     mass += one.mass;
-    centroid += one.mass * one.position;
+    centroid += one.mass * one.at();
   }
   centroid /= mass;
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const Near& one : near) {
-    const Eigen::Vector2d from = one.position - centroid;
+    const Eigen::Vector2d from = one.at() - centroid;
     spread += one.mass / mass * from * from.transpose();
   }
   if (!(spread.determinant() > 1e-6 * spread.trace() * spread.trace()))
     refuse("a single row of particles");
   const Eigen::Vector2d slope = spread.inverse() * (Eigen::Vector2d(position.x, position.y) - centroid);
   for (const Near& one : near) {
-    const double share = one.mass / mass * (1.0 + slope.dot(one.position - centroid));
-    held_.push_back({one.set, one.id, share, one.position.x()});
+    const double share = one.mass / mass * (1.0 + slope.dot(one.at() - centroid));
+    held_.push_back({one.set, one.id, share, one.position.x});
     mobility_ += share * share / one.mass;
     keep_whole(ground, one.set, one.id);
   }

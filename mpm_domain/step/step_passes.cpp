@@ -75,8 +75,6 @@ void share_structure_velocities(Domain& domain) {
 
 /// One message has what this step books and what bounds the next one.
 void settle(Domain& domain, Step& step) {
-  if (step.ticks.is_first())
-    domain.share->times.count_step();
   follow_clock(domain, step.time + step.dt); // as it will be when the next step begins
   step.bounds = step_bounds(domain);
   for (double* const largest : {&step.fastest, &step.pushed})

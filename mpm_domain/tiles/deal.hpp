@@ -66,8 +66,9 @@ struct RankShare {
 
   int owner(std::size_t tile) const { return deal.owner[tile]; }
   bool is_mine(std::size_t tile) const;
-  /// Begins to measure what tiles cost.
-  void restart_times(std::size_t tiles) { times.restart(tiles, idle()); }
+  /// What happens between both is a step, whose time counts.
+  void begin_step() { times.begin_step(idle()); }
+  void end_step() { times.end_step(idle()); }
   /// Time that this rank has waited for others and for the free field, s.
   double idle() const;
   /// Whether a look at what tiles have cost is due: after 20 steps, then 40, 80, ..., on all ranks at once.

@@ -23,7 +23,7 @@ struct ParticleName {
 
 class Snapshot {
 public:
-  /// @param domain outlives this; shared out later, if at all
+  /// @param ground  outlives this
   explicit Snapshot(Ground& ground) : ground_(ground), all_(ground) {}
 
   /// Those that are followed. A particle that is not in it has no place in index_of.

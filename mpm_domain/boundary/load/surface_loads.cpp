@@ -39,18 +39,17 @@ void raise(std::optional<Uppermost>& column, const Uppermost& particle) {
 
 /// Ranks take the uppermost of what each has in a column.
 Surface surface_of_all(Communicator& ranks, const Surface& own) {
-  std::vector<double> numbers;
+  struct InColumn {
+    std::size_t column;
+    Uppermost particle;
+  };
+  std::vector<InColumn> known;
   for (std::size_t c = 0; c < own.size(); ++c)
     if (own[c])
-      numbers.insert(numbers.end(),
-                     {static_cast<double>(c), static_cast<double>(own[c]->set),
-                      static_cast<double>(own[c]->id), own[c]->position.x, own[c]->position.y});
-  numbers = lists_of_all(ranks, numbers);
+      known.push_back({c, *own[c]});
   Surface surface(own.size());
-  for (std::size_t n = 0; n < numbers.size(); n += 5)
-    raise(surface[static_cast<std::size_t>(numbers[n])], {static_cast<std::size_t>(numbers[n + 1]),
-                                                          static_cast<std::uint32_t>(numbers[n + 2]),
-                                                          {numbers[n + 3], numbers[n + 4]}});
+  for (const auto& [column, particle] : lists_of_all(ranks, known))
+    raise(surface[column], particle);
   return surface;
 }
 

@@ -29,6 +29,8 @@ bool is_near(const Ground& ground, const Vector& point) {
     const auto node = [&](double x, double x0) { return static_cast<int>(std::floor((x - x0) / lattice.h)); };
     const int column = node(point.x, lattice.x0);
     const int row = node(point.y, lattice.y0);
+    if (column + reach < 0 || column - reach >= lattice.nx)
+      continue; // an image beyond all nodes
     // Every tile that has nodes between the outermost ones is met, or the tile before it is.
     for (int j = row - reach; j < row + reach + tile_rows; j += tile_rows)
       for (int i = column - reach; i < column + reach + tile_columns; i += tile_columns)
@@ -62,9 +64,11 @@ void NearFaces::follow_sort(const Ground& ground, std::span<const BoundaryFace> 
     const auto known = owners_.known_to(static_cast<std::size_t>(ground.share->ranks->rank()));
     own_.assign(known.begin(), known.end());
   }
-  if (lacks_some_)
+  const auto is_own = [&](std::size_t f) { return std::ranges::binary_search(own_, f); };
+  if (lacks_some_) // edges between its own faces and others lean, however far these are
     std::erase_if(near_, [&](std::size_t f) {
-      return !std::ranges::binary_search(own_, f) && !is_face_near(ground, soil.all()[f].position);
+      return !is_own(f) && !is_own(f + 1) && (f == 0 || !is_own(f - 1)) &&
+             !is_face_near(ground, soil.all()[f].position);
     });
   find_groups(ground, faces);
 }

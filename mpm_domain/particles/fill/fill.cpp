@@ -142,7 +142,7 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
   std::ranges::transform(spec.linings, std::back_inserter(structures), &Lining::outline);
   if (structures.empty() && spec.cut_at_edges)
     structures.emplace_back(); // an outline without corners
-  Plots plots(sets);
+  Plots plots(sets, ranks);
   const auto add = [&](int level, double x, double y) {
     const Plot plot = plot_of(regions, structures, x, y, particle_size(spec, level));
     if (plot.area == 0.0)
@@ -168,7 +168,7 @@ std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head, c
     else
       for (int i = 0; i < columns; ++i)
         add(0, spec.box.x_min + (i + 0.5) * size, spec.box.y_min + (static_cast<double>(n) + 0.5) * size);
-  plots.join_slivers(ranks);
+  plots.join_slivers();
   if (ranks == nullptr && std::ranges::all_of(sets, [](const Particles& set) { return set.size() == 0; }))
     throw std::invalid_argument(no_particle);
   for (Particles& set : sets) {

@@ -42,38 +42,26 @@ std::vector<bool> has_least(std::span<const double> numbers, Communicator* ranks
 
 } // namespace
 
+Plots::Plots(std::span<Particles> sets, Communicator* ranks)
+    : sets_(sets), ranks_(ranks), rank_(ranks != nullptr ? ranks->rank() : 0) {}
+
 void Plots::add(std::size_t set, const Plot& plot, double size) {
   if (is_particle(plot, size))
     add_particle(sets_[set], plot);
   else if (plot.area > 0.0)
-    slivers_.push_back({set, plot, true});
-}
-
-/// In the order in which one process would lay them.
-std::vector<Plots::Sliver> Plots::slivers_of_all(Communicator& ranks) const {
-  std::vector<double> numbers;
-  for (const auto& [set, plot, is_mine] : slivers_)
-    numbers.insert(numbers.end(),
-                   {static_cast<double>(ranks.rank()), static_cast<double>(set), plot.x, plot.y, plot.area});
-  numbers = lists_of_all(ranks, numbers);
-  std::vector<Sliver> all;
-  for (std::size_t n = 0; n < numbers.size(); n += 5)
-    all.push_back({static_cast<std::size_t>(numbers[n + 1]),
-                   {numbers[n + 2], numbers[n + 3], numbers[n + 4]},
-                   numbers[n] == ranks.rank()});
-  return all;
+    slivers_.push_back({set, plot, rank_});
 }
 
 /// The first sliver of a set without particles becomes one.
-void Plots::begin_empty_sets(Communicator* ranks) {
+void Plots::begin_empty_sets() {
   std::vector<std::int64_t> sizes;
   for (const Particles& set : sets_)
     sizes.push_back(static_cast<std::int64_t>(set.size()));
-  if (ranks != nullptr)
-    ranks->add(sizes);
+  if (ranks_ != nullptr)
+    ranks_->add(sizes);
   std::erase_if(slivers_, [&](const Sliver& sliver) {
     const bool begins = sizes[sliver.set]++ == 0;
-    if (begins && sliver.is_mine)
+    if (begins && sliver.rank == rank_)
       add_particle(sets_[sliver.set], sliver.plot);
     return begins;
   });
@@ -89,10 +77,10 @@ Plots::Nearest Plots::nearest(const Sliver& sliver) const {
   return found;
 }
 
-void Plots::join_slivers(Communicator* ranks) {
-  if (ranks != nullptr)
-    slivers_ = slivers_of_all(*ranks);
-  begin_empty_sets(ranks);
+void Plots::join_slivers() {
+  if (ranks_ != nullptr)
+    slivers_ = lists_of_all(*ranks_, slivers_); // in the order in which one process would lay them
+  begin_empty_sets();
   std::vector<std::size_t> next;
   std::vector<double> distances;
   for (const Sliver& sliver : slivers_) {
@@ -100,7 +88,7 @@ void Plots::join_slivers(Communicator* ranks) {
     next.push_back(k);
     distances.push_back(distance);
   }
-  const std::vector<bool> is_here = has_least(distances, ranks);
+  const std::vector<bool> is_here = has_least(distances, ranks_);
   for (std::size_t n = 0; n < slivers_.size(); ++n) {
     if (!is_here[n])
       continue;

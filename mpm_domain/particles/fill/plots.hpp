@@ -15,21 +15,21 @@ class Communicator;
 /// once all are there; that one stays where it is, so that its box reaches no farther out.
 class Plots {
 public:
-  /// @param sets  that take the particles; they outlive this
-  explicit Plots(std::span<Particles> sets) : sets_(sets) {}
+  /// @param sets   that take the particles; they outlive this
+  /// @param ranks  those that fill together, each its part; null: there are no others
+  explicit Plots(std::span<Particles> sets, Communicator* ranks = nullptr);
 
   /// Adds a particle without stress, with the density of its set, or keeps the sliver for later.
   /// @param size  of the square that the plot is part of, m
   void add(std::size_t set, const Plot& plot, double size);
-  /// Shares the slivers out; the sets must not have moved.
-  /// @param ranks  those that fill together, each its part; all call it. Null: there are no others
-  void join_slivers(Communicator* ranks = nullptr);
+  /// Shares the slivers out; the sets must not have moved. All ranks call it.
+  void join_slivers();
 
 private:
   struct Sliver {
     std::size_t set;
     Plot plot;
-    bool is_mine; ///< this rank has laid it
+    int rank; ///< that has laid it
   };
   /// The particle that is next to a sliver.
   struct Nearest {
@@ -37,11 +37,12 @@ private:
     double distance; ///< m; infinite: there is none
   };
 
-  std::vector<Sliver> slivers_of_all(Communicator& ranks) const;
-  void begin_empty_sets(Communicator* ranks);
+  void begin_empty_sets();
   Nearest nearest(const Sliver& sliver) const;
 
   std::span<Particles> sets_;
+  Communicator* ranks_;
+  int rank_;
   std::vector<Sliver> slivers_;
 };
 

@@ -133,6 +133,10 @@ const Model models[] = {
      },
      80,
      {120.0, 40.0}},
+    {"WetDrifting",
+     [](Spec& spec) { add_water(spec, materials::Drainage::coupled), yield(spec); },
+     60,
+     {120.0, 40.0}},
     {"Building", test_support::add_building, 20},
     {"BuildingAtSide", test_support::add_building_at_side, 20},
     {"Neighbours", test_support::add_neighbours, 15},
@@ -306,7 +310,8 @@ TEST_P(RankCount, DoesNotChangeABit) {
 TEST(Ranks, GoOnFromTheStateOfOneRank) {
   TREMOLO_NEED_RANKS();
   mpm_domain::Communicator& ranks = *test_support::test_ranks();
-  for (const std::string_view name : {"Drifting", "LevelsDrifting", "DriftingBuilding", "Neighbours"}) {
+  for (const std::string_view name :
+       {"Drifting", "LevelsDrifting", "DriftingBuilding", "Neighbours", "WetDrifting"}) {
     SCOPED_TRACE(name);
     const Model& model = *std::ranges::find(models, name, &Model::name);
     Scene whole(model, 1, nullptr);
@@ -375,6 +380,21 @@ TEST(Ranks, WorkOutTheirOwnFaces) {
     ranks.largest({&lacking, 1});
     EXPECT_GT(lacking, 0.0);
   }
+}
+
+/// Also those along periodic sides, near which images of faces lie.
+TEST(Ranks, WorkOutNoFacesInTheMiddleForTilesAlongPeriodicSides) {
+  TREMOLO_NEED_RANKS();
+  mpm_domain::Communicator& ranks = *test_support::test_ranks();
+  if (ranks.size() == 2)
+    return;
+  Spec spec = test_support::elastic_box(600.0, 20.0, 1.0);
+  make_periodic(spec);
+  const Domain domain(spec, &ranks);
+  const double all = static_cast<double>(domain.boundary.faces().size());
+  double most = static_cast<double>(domain.boundary.near_faces().all().size());
+  ranks.largest({&most, 1});
+  EXPECT_LT(most, 0.75 * all);
 }
 
 /// Where the tiles in a corner take ten times as long as others, ranks that have these get fewer particles.
