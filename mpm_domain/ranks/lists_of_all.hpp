@@ -36,7 +36,7 @@ std::vector<Record> lists_of_all(Communicator& ranks, const std::vector<Record>&
   numbers = lists_of_all(ranks, numbers);
   std::vector<Record> all(numbers.size() / width);
   if (!all.empty())
-    std::memcpy(all.data(), numbers.data(), all.size() * sizeof(Record));
+    std::memcpy(static_cast<void*>(all.data()), numbers.data(), all.size() * sizeof(Record));
   return all;
 }
 
