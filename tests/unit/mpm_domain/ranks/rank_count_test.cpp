@@ -403,7 +403,8 @@ TEST(Ranks, ShareTheTimeThatTilesTake) {
   mpm_domain::Communicator& ranks = *test_support::test_ranks();
   Domain domain(test_support::elastic_box(100.0, 40.0, 1.0), &ranks);
   mpm_domain::RankShare& share = *domain.share;
-  share.times.count_step();
+  share.begin_step();
+  share.end_step();
   test_support::slow_down_corner(domain, 1000);
   sort_particles(domain);
   std::vector<std::int64_t> counts(static_cast<std::size_t>(ranks.size()), 0);
