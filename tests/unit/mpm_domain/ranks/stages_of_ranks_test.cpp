@@ -234,7 +234,7 @@ TEST_P(StagesDealtAnew, HaveTheBitsOfOneProcess) {
     return saved(stages);
   };
   const std::vector<int> before = shared.share->deal.owner;
-  test_support::slow_down_corner(shared, 1'000'000);
+  test_support::slow_down_last(*shared.share);
   const SavedState state = first_stage(shared);
   EXPECT_NE(before, shared.share->deal.owner);
   if (test_support::test_ranks()->rank() != 0)

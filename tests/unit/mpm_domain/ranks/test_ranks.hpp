@@ -1,12 +1,11 @@
 #pragma once
 
-#include "mpm_domain/domain.hpp"
 #include "mpm_domain/ranks/mpi_communicator.hpp"
+#include "mpm_domain/tiles/deal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 
 namespace tremolo::test_support {
@@ -17,15 +16,13 @@ inline mpm_domain::Communicator* test_ranks() {
   return ranks.get();
 }
 
-/// Lets the tiles in a corner seem to have cost so much for each update, ns, where others have cost 60.
-inline void slow_down_corner(mpm_domain::Domain& domain, std::int64_t cost) {
-  mpm_domain::RankShare& share = *domain.share;
-  for (std::size_t tile = 0; tile < domain.tiles.count(); ++tile)
-    if (share.is_mine(tile)) {
-      const mpm_domain::NodeBlock nodes = domain.tiles.owned(tile);
-      const bool slow = nodes.column < 2 * mpm_domain::tile_columns && nodes.row < 2 * mpm_domain::tile_rows;
-      share.times.add(tile, (slow ? cost : 60) * share.updates[tile]);
-    }
+/// Lets the tiles of the last rank seem to have cost a thousand times what others have.
+inline void slow_down_last(mpm_domain::RankShare& share) {
+  if (share.ranks->rank() + 1 < share.ranks->size())
+    return;
+  for (std::size_t tile = 0; tile < share.updates.size(); ++tile)
+    if (share.is_mine(tile))
+      share.times.add(tile, 1'000'000 * share.updates[tile]);
 }
 
 } // namespace tremolo::test_support
