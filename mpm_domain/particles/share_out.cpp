@@ -253,7 +253,8 @@ bool deal_anew(Ground& ground, const std::function<void()>& before) {
     return false;
   before();
   take(ground, std::move(dealt));
-  const RankShare& share = *ground.share;
+  RankShare& share = *ground.share;
+  ++share.changes;
   for (Particles& set : ground.sets) {
     Journey journey(*share.ranks, set);
     for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block) {

@@ -61,6 +61,7 @@ struct RankShare {
   std::int64_t besides = 0;               ///< load of the first rank that no tile has, when these were dealt
   TileTimes times = {};                   ///< of this rank
   int looks = 0;                          ///< how often is_time_to_look() has said so
+  int changes = 0;                        ///< how often tiles have changed hands between two sorts
   double at_field = 0.0;                  ///< time that this rank has waited for the free field, s
   std::vector<mesh::Rectangle> structures = {}; ///< boxes around all that these may touch until the next sort
 

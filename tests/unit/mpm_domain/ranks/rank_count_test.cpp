@@ -353,9 +353,8 @@ TEST(Ranks, DealTilesAnewWithoutChangingABit) {
     Scene shared(model, 1, &ranks);
     shared.steps(20);
     shared.slow_down();
-    const std::vector<int> before = shared.domain().share->deal.owner;
     shared.steps(15);
-    EXPECT_NE(before, shared.domain().share->deal.owner);
+    EXPECT_GT(shared.domain().share->changes, 0);
     const SavedState state = shared.state();
     if (ranks.rank() != 0)
       continue;

@@ -233,10 +233,9 @@ TEST_P(StagesDealtAnew, HaveTheBitsOfOneProcess) {
     stages.next();
     return saved(stages);
   };
-  const std::vector<int> before = shared.share->deal.owner;
   test_support::slow_down_last(*shared.share);
   const SavedState state = first_stage(shared);
-  EXPECT_NE(before, shared.share->deal.owner);
+  EXPECT_GT(shared.share->changes, 0);
   if (test_support::test_ranks()->rank() != 0)
     return;
   Domain alone(spec_);
