@@ -69,9 +69,10 @@ void build_and_remove(Spec& spec, std::vector<StaticStage>& stages) {
 /// A trench beside an elastic wall and over a lining is dug on a graded mesh, while the water falls; a bank
 /// comes to lie beside it.
 void dig_and_fill(Spec& spec, std::vector<StaticStage>& stages) {
+  spec = test_support::elastic_box(100.0, 40.0, 2.0);
   test_support::add_water(spec, materials::Drainage::coupled);
   test_support::add_lining(spec);
-  spec.refine = {{{20.0, -20.0, 60.0, 8.0}, 1}};
+  spec.refine = {{{20.0, -22.0, 60.0, 8.0}, 1}};
   spec.box.y_max = 8.0;
   spec.cut_at_edges = true;
   test_support::add_block(spec, "wall", test_support::rectangle(25.0, -6.0, 26.5, 1.3)).stiffness =
