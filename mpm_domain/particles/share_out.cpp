@@ -182,9 +182,10 @@ struct Dealt {
   std::int64_t besides;
 };
 
-/// The deal that follows the present one.
-/// @param own  of this rank's particles
-Dealt next_deal(const Ground& ground, Census own) {
+/// The deal that comes after the present one.
+/// @param own   of this rank's particles
+/// @param find  follow() or improved()
+Dealt next_deal(const Ground& ground, Census own, decltype(follow) find) {
   const RankShare& share = *ground.share;
   share.ranks->add(own.on_lattice);
   if (ground.mesh)
@@ -192,7 +193,7 @@ Dealt next_deal(const Ground& ground, Census own) {
   std::vector<std::int64_t> updates = own.of_tiles();
   weigh_by_time(share, own);
   const Together together = tiles_together(ground, share.structures, own, load_besides(share, own));
-  return {follow(share.deal, ground.tiles, std::move(own.on_lattice), share.ranks->size(), together),
+  return {find(share.deal, ground.tiles, std::move(own.on_lattice), share.ranks->size(), together),
           std::move(updates), together.besides};
 }
 
@@ -233,7 +234,7 @@ void move_between_ranks(Ground& ground) {
                                                                  << ground.clocks.at(set.x[k], set.y[k]);
     }
   }
-  take(ground, next_deal(ground, std::move(census)));
+  take(ground, next_deal(ground, std::move(census), follow));
   for (std::size_t s = 0; s < ground.sets.size(); ++s) {
     Particles& set = ground.sets[s];
     Journey journey(*share.ranks, set);
@@ -248,7 +249,7 @@ void move_between_ranks(Ground& ground) {
 }
 
 bool deal_anew(Ground& ground, const std::function<void()>& before) {
-  Dealt dealt = next_deal(ground, census_of_blocks(ground));
+  Dealt dealt = next_deal(ground, census_of_blocks(ground), improved);
   if (dealt.deal.owner == ground.share->deal.owner)
     return false;
   before();

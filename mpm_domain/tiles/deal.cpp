@@ -171,6 +171,15 @@ Deal follow(const Deal& present, const TileMap& tiles, std::vector<std::int64_t>
   return next;
 }
 
+Deal improved(const Deal& present, const TileMap& tiles, std::vector<std::int64_t> load, int ranks,
+              const Together& together) {
+  constexpr double worth_moving = 0.03;
+  Deal now{present.owner, load};
+  Deal next = deal_out(tiles, std::move(load), ranks, together);
+  const bool is_better = unevenness(next, ranks, together) + worth_moving < unevenness(now, ranks, together);
+  return is_better ? next : now;
+}
+
 double unevenness(const Deal& deal, int ranks, const Together& together) {
   std::vector<std::int64_t> of_ranks(static_cast<std::size_t>(ranks), 0);
   of_ranks.front() = together.besides;
