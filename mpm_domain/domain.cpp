@@ -78,10 +78,9 @@ std::vector<mesh::Rectangle> boxes_of_structures(const Domain& domain) {
   return boxes;
 }
 
-bool deal_anew_if_due(Domain& domain, const std::function<void()>& before) {
+bool deal_anew_if_due(Domain& domain) {
   // Nodes that several clocks share keep sums from step to step.
-  if (!domain.share || domain.clocks.count() > 1 || !domain.share->is_time_to_look() ||
-      !deal_anew(domain, before))
+  if (!domain.share || domain.clocks.count() > 1 || !domain.share->is_time_to_look() || !deal_anew(domain))
     return false;
   follow_faces(domain);
   return true;

@@ -10,7 +10,6 @@
 #include "mpm_domain/prop/props.hpp"
 #include "mpm_domain/section/sections.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace tremolo::mpm_domain {
@@ -53,9 +52,8 @@ std::vector<mesh::Rectangle> boxes_of_structures(const Domain& domain);
 
 /// Where it is time to look at what tiles cost, deals them anew if that is uneven (particles/share_out.hpp),
 /// and finds what particles may touch.
-/// @param before  as there
 /// @returns whether they are
-bool deal_anew_if_due(Domain& domain, const std::function<void()>& before);
+bool deal_anew_if_due(Domain& domain);
 
 /// After faces have changed between two sorts, or particles have come to other ranks: these learn of it.
 void follow_faces(Domain& domain);

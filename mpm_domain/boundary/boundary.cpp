@@ -5,7 +5,6 @@
 #include "mpm_domain/tiles/totals.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 
 namespace tremolo::mpm_domain {
@@ -115,11 +114,7 @@ void Boundary::catch_up(const Ground& ground) {
 
 void Boundary::exchange(Step& step, const FreeFieldSource& source) {
   motion_.begin_step(step, faces_, near_, soil_.all());
-  const auto asked = std::chrono::steady_clock::now();
   source(step.count, step.time, motion_.seen(), free_field_);
-  if (step.ground.share)
-    step.ground.share->at_field +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count();
   passed_.pass(step.ground, free_field_);
   for (const std::size_t f : followed_)
     evaluate(f);

@@ -72,8 +72,15 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain), has_structures_(domain
     set.damping_time = 0.0;
     forget(set);
     set.relaxation = {};
+    ParticleFields& given = given_.emplace_back();
+    for (const auto field : given_fields)
+      given.*field = set.*field;
   }
-  weigh();
+  scatter(domain, ScatterPart::motion);
+  if (domain.is_sharp())
+    find_fullness(domain);
+  if (domain.has_seepage())
+    scatter_seepage(domain, domain.soil_rows, domain.soil_ties);
   if (has_structures_) {
     domain.contact.begin_rest(domain);
     domain.linings.begin_rest(domain);
@@ -87,48 +94,6 @@ Relaxation::Relaxation(Domain& domain) : domain_(domain), has_structures_(domain
     slowest = std::min(slowest, materials::elasticity(set.law).s_wave_speed());
   alpha_ = std::numbers::pi * slowest / depth;
   drained_step_ = domain.spec.scheme.fraction * critical_skeleton_step(domain);
-}
-
-/// Finds what goes with the positions and boxes of particles.
-void Relaxation::weigh() {
-  given_.resize(domain_.sets.size());
-  for (std::size_t s = 0; s < given_.size(); ++s)
-    for (const auto field : given_fields)
-      given_[s].*field = domain_.sets[s].*field;
-  scatter(domain_, ScatterPart::motion);
-  if (domain_.is_sharp())
-    find_fullness(domain_);
-  if (domain_.has_seepage())
-    scatter_seepage(domain_, domain_.soil_rows, domain_.soil_ties);
-}
-
-/// Nodes go on from the velocity and the way that they have where they count.
-void Relaxation::deal_anew_if_due(bool undrained) {
-  std::vector<NodeField*> going_on{&domain_.grid.vx_after, &domain_.grid.vy_after};
-  if (!way_x_.empty())
-    going_on.insert(going_on.end(), {&way_x_, &way_y_});
-  std::vector<std::vector<double>> of_all;
-  const auto keep = [&] {
-    for (const NodeField* const field : going_on) {
-      of_all.emplace_back(field->begin(), field->end());
-      take_nodes_of_all(domain_, of_all.back());
-    }
-  };
-  if (!mpm_domain::deal_anew_if_due(domain_, keep))
-    return;
-  weigh();
-  if (undrained)
-    find_pore_volumes();
-  held_by_ = {};
-  find_supports();
-  for (std::size_t f = 0; f < going_on.size(); ++f)
-    for (const auto& [begin, end] : domain_.soil_rows)
-      std::copy(of_all[f].data() + begin, of_all[f].data() + end, going_on[f]->data() + begin);
-}
-
-void Relaxation::find_pore_volumes() {
-  scatter_mixture(domain_, domain_.soil_rows, domain_.soil_ties);
-  scatter(domain_, ScatterPart::motion);
 }
 
 void Relaxation::stop_nodes() {
@@ -285,17 +250,15 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
   dt_ = drained_step_;
   if (undrained) {
     dt_ = domain_.spec.scheme.fraction * critical_time_step(domain_, 0.0);
-    find_pore_volumes();
+    // The pore volumes of the nodes are needed.
+    scatter_mixture(domain_, domain_.soil_rows, domain_.soil_ties);
+    scatter(domain_, ScatterPart::motion);
   }
   if (course.skin > 0.0)
     find_skin(course.skin);
   Patience patience(course);
   double share = course.ramp > 0.0 ? 0.0 : 1.0;
   for (long step = 0;; ++step) {
-    if (course.may_deal)
-      deal_anew_if_due(undrained);
-    if (domain_.share)
-      domain_.share->begin_step();
     const double passed = static_cast<double>(step) * dt_;
     if (passed < course.ramp + dt_ && course.ramp > 0.0) {
       share = ramped(passed / course.ramp);
@@ -319,8 +282,6 @@ Relaxed Relaxation::run(const Course& course, const GravityProgress& progress) {
     if (has_structures_)
       domain_.props.follow_velocity(domain_, domain_.contact, dt_);
     strain(undrained);
-    if (domain_.share)
-      domain_.share->end_step();
   }
 }
 

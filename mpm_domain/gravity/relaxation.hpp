@@ -33,7 +33,6 @@ struct Course {
   double skin = 0.0;    ///< unbalanced forces less deep than this below the surface do not count, in cells
   double falling = 0.0; ///< time is doubled while the residual is below this share of that half-way, 1
   long first = 0;       ///< number of the first step, for reports
-  bool may_deal = true; ///< tiles may be dealt anew among ranks: nobody keeps what particles were before
 };
 
 /// State at the end of a relaxation.
@@ -79,9 +78,6 @@ private:
     ZeroPages<unsigned char> skin; ///< nodes whose unbalanced force does not count
   };
 
-  void weigh();
-  void find_pore_volumes();
-  void deal_anew_if_due(bool undrained);
   void stop_nodes();
   void find_supports();
   void find_supports(const Lattice& lattice);

@@ -67,7 +67,6 @@ std::optional<std::vector<std::size_t>> release(Domain& domain, Relaxation& rela
   released.bonded = false;
   released.ramp = 0.0;
   released.first = rest.step;
-  released.may_deal = false; // it may go back to where it began
   released.time = static_cast<double>(steps) * relaxation.step();
   const KeptQuantities bonded(domain.sets);
   const Linings bonded_linings = domain.linings;

@@ -75,32 +75,6 @@ void weigh_by_time(const RankShare& share, Census& census) {
       (*updates)[tile] = std::llround(cost[tile] * static_cast<double>((*updates)[tile]));
 }
 
-/// Load of what the first rank does besides particles, such as structures: what its time exceeds the time by
-/// that others take for a load like its own. An even share at the most, which leaves it some particles.
-std::int64_t load_besides(const RankShare& share, const Census& census) {
-  const std::size_t tiles = census.on_lattice.size();
-  if (share.times.steps() == 0 || share.deal.owner.size() != tiles)
-    return 0;
-  const auto ranks = static_cast<std::size_t>(share.ranks->size());
-  std::vector<std::int64_t> busy(ranks, 0); // ns of a step
-  busy[static_cast<std::size_t>(share.ranks->rank())] =
-      std::llround(1e9 * share.times.busy() / static_cast<double>(share.times.steps()));
-  share.ranks->add(busy);
-  std::vector<std::int64_t> load(ranks, 0);
-  for (std::size_t tile = 0; tile < tiles; ++tile)
-    if (const int owner = share.owner(tile); owner != Deal::nobody)
-      load[static_cast<std::size_t>(owner)] += census.on_lattice[tile] + census.across[tile];
-  const auto of_others = [](const std::vector<std::int64_t>& numbers) {
-    return static_cast<double>(std::reduce(numbers.begin() + 1, numbers.end()));
-  };
-  if (of_others(busy) <= 0.0 || of_others(load) <= 0.0)
-    return 0;
-  const double time = static_cast<double>(busy.front());
-  const std::int64_t besides = std::llround(time * of_others(load) / of_others(busy)) - load.front();
-  const std::int64_t share_of_all = std::reduce(load.begin(), load.end()) / share.ranks->size();
-  return std::clamp<std::int64_t>(besides, 0, share_of_all);
-}
-
 /// Boxes around nodes that a graded mesh ties, and those that they follow: as far as particles across
 /// lattices may touch nodes, and where levels have clocks of their own, particles of two clocks.
 std::vector<mesh::Rectangle> boxes_of_ties(const Ground& ground) {
@@ -127,9 +101,8 @@ std::vector<mesh::Rectangle> boxes_of_ties(const Ground& ground) {
 
 /// Groups of tiles that must share a rank. The first rank owns those near structures (in these boxes), those
 /// at the joints of levels, and those of elastic bodies.
-/// @param besides  load of what it does besides
 Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> structures,
-                        const Census& census, std::int64_t besides) {
+                        const Census& census) {
   const TileMap& tiles = ground.tiles;
   std::vector<bool> is_of_first(tiles.count(), false);
   const auto take = [&](const std::vector<std::size_t>& some) {
@@ -148,7 +121,7 @@ Together tiles_together(const Ground& ground, std::span<const mesh::Rectangle> s
       is_of_first[tile] = true;
 
   Together together;
-  together.besides = census.all_across() + besides;
+  together.besides = census.all_across();
   for (std::vector<std::size_t>& group : tiles_of_images(ground))
     if (std::ranges::any_of(group, [&](std::size_t tile) { return is_of_first[tile]; }))
       take(group);
@@ -175,11 +148,10 @@ Census census_of_blocks(const Ground& ground) {
   return census;
 }
 
-/// A deal, and what goes with it in a RankShare.
+/// A deal, and the updates that go with it in a RankShare.
 struct Dealt {
   Deal deal;
   std::vector<std::int64_t> updates;
-  std::int64_t besides;
 };
 
 /// The deal that comes after the present one.
@@ -192,16 +164,15 @@ Dealt next_deal(const Ground& ground, Census own, decltype(follow) find) {
     share.ranks->add(own.across);
   std::vector<std::int64_t> updates = own.of_tiles();
   weigh_by_time(share, own);
-  const Together together = tiles_together(ground, share.structures, own, load_besides(share, own));
+  const Together together = tiles_together(ground, share.structures, own);
   return {find(share.deal, ground.tiles, std::move(own.on_lattice), share.ranks->size(), together),
-          std::move(updates), together.besides};
+          std::move(updates)};
 }
 
 void take(Ground& ground, Dealt dealt) {
   RankShare& share = *ground.share;
   share.deal = std::move(dealt.deal);
   share.updates = std::move(dealt.updates);
-  share.besides = dealt.besides;
   share.times.restart(ground.tiles.count());
 }
 
@@ -213,7 +184,7 @@ void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rect
       ground.share.emplace(RankShare{.ranks = &ranks, .deal = {}, .updates = census.of_tiles()});
   share.times.restart(ground.tiles.count());
   weigh_by_time(share, census);
-  const Together together = tiles_together(ground, structures, census, 0);
+  const Together together = tiles_together(ground, structures, census);
   share.deal = deal_out(ground.tiles, std::move(census.on_lattice), ranks.size(), together);
   share.structures = std::move(structures);
 }
@@ -248,11 +219,10 @@ void move_between_ranks(Ground& ground) {
   }
 }
 
-bool deal_anew(Ground& ground, const std::function<void()>& before) {
+bool deal_anew(Ground& ground) {
   Dealt dealt = next_deal(ground, census_of_blocks(ground), improved);
   if (dealt.deal.owner == ground.share->deal.owner)
     return false;
-  before();
   take(ground, std::move(dealt));
   RankShare& share = *ground.share;
   ++share.changes;

@@ -24,9 +24,8 @@ void move_between_ranks(Ground& ground);
 
 /// Between two sorts: deals the tiles anew where what they have cost is uneven, and gives particles to the
 /// ranks of their tiles. What they may touch must be found next: find_reach(). All ranks call it.
-/// @param before  called before, where they are dealt anew
 /// @returns whether they are; the grid's fields are zero then
-bool deal_anew(Ground& ground, const std::function<void()>& before);
+bool deal_anew(Ground& ground);
 
 /// Particles that ranks have given to rank 0; on others nothing.
 struct GatheredSets {

@@ -27,8 +27,6 @@ public:
   virtual void receive(int from, std::span<double> numbers) = 0;
   /// Returns when all messages of send() and receive() have come through.
   virtual void wait() = 0;
-  /// Time that this rank has waited for others so far, s.
-  virtual double waited() const = 0;
 
   /// Every number becomes its sum, or its largest value, over all ranks.
   virtual void add(std::span<std::int64_t> numbers) = 0;

@@ -105,9 +105,7 @@ public:
         std::this_thread::yield();
     }
     requests_.clear();
-    waited_ += std::chrono::duration<double>(Clock::now() - start).count();
   }
-  double waited() const override { return waited_; }
 
   void add(std::span<std::int64_t> numbers) override {
     MPI_Iallreduce(MPI_IN_PLACE, numbers.data(), length(numbers.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD,
@@ -195,7 +193,6 @@ private:
   int rank_ = 0;
   int size_ = 1;
   std::vector<MPI_Request> requests_;
-  double waited_ = 0.0;       ///< s
   MPI_Op both_ = MPI_OP_NULL; ///< add_and_largest()
 };
 

@@ -75,6 +75,8 @@ void share_structure_velocities(Domain& domain) {
 
 /// One message has what this step books and what bounds the next one.
 void settle(Domain& domain, Step& step) {
+  if (step.ticks.is_first())
+    domain.share->times.count_step();
   follow_clock(domain, step.time + step.dt); // as it will be when the next step begins
   step.bounds = step_bounds(domain);
   for (double* const largest : {&step.fastest, &step.pushed})
@@ -93,7 +95,7 @@ std::vector<Pass> step_passes(Domain& domain) {
                             [&](Step& step) {
                               while (domain.earthworks.is_due(domain, step.time))
                                 begin_earthwork(domain, step);
-                              if (deal_anew_if_due(domain, [] {}))
+                              if (deal_anew_if_due(domain))
                                 step.nodes = ClockNodes(domain);
                               choose_step(domain, step);
                             }},

@@ -33,8 +33,6 @@ void Stepper::run(std::span<Pass> passes) {
 void Stepper::step() {
   const auto ticking =
       std::ranges::find_if_not(passes_, [](const Pass& pass) { return is_once_a_step(pass.phase); });
-  if (domain_.share)
-    domain_.share->begin_step();
   try {
     run({passes_.begin(), ticking});
     do {
@@ -46,8 +44,6 @@ void Stepper::step() {
     throw std::runtime_error(
         fmt::format("{} (t = {:.6g} s, step {})", error.what(), step_.time, step_.count));
   }
-  if (domain_.share)
-    domain_.share->end_step();
   step_.moved += step_.pushed;
   step_.moved += step_.max_speed * step_.dt;
   step_.pushed = 0.0;

@@ -199,10 +199,6 @@ bool RankShare::is_mine(std::size_t tile) const {
   return deal.owner[tile] == ranks->rank();
 }
 
-double RankShare::idle() const {
-  return ranks->waited() + at_field;
-}
-
 bool RankShare::is_time_to_look() {
   constexpr std::int64_t first = 20;
   constexpr int most_doublings = 20;

@@ -36,9 +36,7 @@ inline constexpr double most_uneven = 1.15;
 /// Tiles that stay together. Each tile is alone or in one of these lists, whose tiles rise.
 struct Together {
   std::vector<std::size_t> of_first;
-  /// Load of the first rank that no tile has: that of particles which are not on one lattice alone, and of
-  /// what it alone does.
-  std::int64_t besides = 0;
+  std::int64_t besides = 0; ///< load of the particles of the first rank that are not on one lattice alone
   std::vector<std::vector<std::size_t>> groups; ///< each of one rank
 };
 
@@ -62,20 +60,13 @@ struct RankShare {
   Communicator* ranks; ///< outlives the domain
   Deal deal;
   std::vector<std::int64_t> updates = {}; ///< by tile, of the particles of all ranks in a step of clock 0
-  std::int64_t besides = 0;               ///< load of the first rank that no tile has, when these were dealt
   TileTimes times = {};                   ///< of this rank
   int looks = 0;                          ///< how often is_time_to_look() has said so
   int changes = 0;                        ///< how often tiles have changed hands between two sorts
-  double at_field = 0.0;                  ///< time that this rank has waited for the free field, s
   std::vector<mesh::Rectangle> structures = {}; ///< boxes around all that these may touch until the next sort
 
   int owner(std::size_t tile) const { return deal.owner[tile]; }
   bool is_mine(std::size_t tile) const;
-  /// What happens between both is a step, whose time counts.
-  void begin_step() { times.begin_step(idle()); }
-  void end_step() { times.end_step(idle()); }
-  /// Time that this rank has waited for others and for the free field, s.
-  double idle() const;
   /// Whether a look at what tiles have cost is due: after 20 steps, then 40, 80, ..., on all ranks at once.
   bool is_time_to_look();
   /// Whether structures may touch a point (m) until the next sort.

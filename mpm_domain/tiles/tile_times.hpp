@@ -2,10 +2,9 @@
 
 // What the particles of each tile cost a rank: the processor time of its gather and laws since the last deal.
 // Sand that has liquefied costs many times what it cost before, so that equal numbers of particles are no
-// equal shares of the work. And how long the rank has been busy with steps in all: one also has structures.
+// equal shares of the work.
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
@@ -20,17 +19,8 @@ public:
   void restart(std::size_t tiles) {
     nanoseconds_.assign(tiles, 0);
     steps_ = 0;
-    busy_ = 0.0;
   }
-  /// @param idle  how long the rank has been waiting so far, s
-  void begin_step(double idle) {
-    begin_ = Clock::now();
-    idle_ = idle;
-  }
-  void end_step(double idle) {
-    busy_ += std::chrono::duration<double>(Clock::now() - begin_).count() - (idle - idle_);
-    ++steps_;
-  }
+  void count_step() { ++steps_; }
   /// Adds to the time of a tile. Any thread may call it.
   void add(std::size_t tile, std::int64_t nanoseconds) {
     std::atomic_ref(nanoseconds_[tile]).fetch_add(nanoseconds, std::memory_order_relaxed);
@@ -38,17 +28,10 @@ public:
 
   std::span<const std::int64_t> nanoseconds() const { return nanoseconds_; } ///< by tile
   std::int64_t steps() const { return steps_; }
-  /// Time of these steps in which the rank has not been waiting, s.
-  double busy() const { return busy_; }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   std::vector<std::int64_t> nanoseconds_;
   std::int64_t steps_ = 0;
-  double busy_ = 0.0;
-  Clock::time_point begin_ = Clock::now(); ///< of the present step
-  double idle_ = 0.0;                      ///< then, s
 };
 
 /// Measures what its thread does while it lives.

@@ -41,7 +41,6 @@ public:
     ranks_.send(to, numbers);
   }
   void receive(int from, std::span<double> numbers) override { ranks_.receive(from, numbers); }
-  double waited() const override { return ranks_.waited(); }
   void wait() override {
     timed(Kind::wait, 0, [&] { ranks_.wait(); });
   }

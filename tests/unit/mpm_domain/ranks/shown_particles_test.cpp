@@ -40,7 +40,6 @@ public:
   int size() const override { return ranks_.size(); }
   void send(int to, std::span<const double> numbers) override { ranks_.send(to, numbers); }
   void receive(int from, std::span<double> numbers) override { ranks_.receive(from, numbers); }
-  double waited() const override { return ranks_.waited(); }
   void wait() override { ranks_.wait(); }
   void add(std::span<std::int64_t> numbers) override { ranks_.add(numbers); }
   void largest(std::span<double> numbers) override { ranks_.largest(numbers); }

@@ -223,26 +223,6 @@ TEST_P(StagesOfRanks, HaveTheBitsOfOneProcess) {
   expect_same(shake(*alone), state);
 }
 
-class StagesDealtAnew : public StagesOfRanks {};
-
-/// While the ground comes to rest tiles are dealt anew, and it goes on as if they had not been.
-TEST_P(StagesDealtAnew, HaveTheBitsOfOneProcess) {
-  TREMOLO_NEED_RANKS();
-  Domain shared(spec_, test_support::test_ranks());
-  const auto first_stage = [this](Domain& domain) {
-    StaticStages stages(domain, {.residual = 0.1 * residual}, stages_, [](std::size_t, long, double) {});
-    stages.next();
-    return saved(stages);
-  };
-  test_support::slow_down_last(*shared.share);
-  const SavedState state = first_stage(shared);
-  EXPECT_GT(shared.share->changes, 0);
-  if (test_support::test_ranks()->rank() != 0)
-    return;
-  Domain alone(spec_);
-  expect_same(first_stage(alone), state);
-}
-
 class StagesBrokenOff : public StagesOfRanks {};
 
 /// What one process has saved after a stage, ranks go on with.
@@ -280,9 +260,6 @@ std::vector<Site> chosen(const std::vector<std::string_view>& names) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sites, StagesOfRanks, testing::ValuesIn(sites), name_of);
-/// In others the ground rests before the first look, or the first rank has its own part anyway.
-INSTANTIATE_TEST_SUITE_P(Sites, StagesDealtAnew, testing::ValuesIn(chosen({"Building", "Lining", "Sharp"})),
-                         name_of);
 INSTANTIATE_TEST_SUITE_P(Sites, StagesBrokenOff,
                          testing::ValuesIn(chosen({"LoadedWetGround", "BlockThatGoes"})), name_of);
 

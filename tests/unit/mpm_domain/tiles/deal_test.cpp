@@ -78,6 +78,23 @@ TEST(Deal, StaysUntilItIsUneven) {
   EXPECT_LT(unevenness(next, 2), 1.05);
 }
 
+TEST(Deal, IsImprovedWhereThatIsWorthIt) {
+  const TileMap tiles = map_of(8, 8);
+  const Deal deal = deal_out(tiles, full(tiles), 2);
+  std::vector<std::int64_t> particles = full(tiles);
+  const auto fill = [&](std::int64_t count) {
+    for (std::size_t tile = 0; tile < tiles.count(); ++tile)
+      if (deal.owner[tile] == 0)
+        particles[tile] = count;
+  };
+  fill(1060); // over their mean by 1.02
+  EXPECT_EQ(improved(deal, tiles, particles, 2).owner, deal.owner);
+  fill(1300); // by 1.12
+  const Deal next = improved(deal, tiles, particles, 2);
+  EXPECT_LT(unevenness(next, 2), 1.05);
+  EXPECT_EQ(next.load, particles);
+}
+
 TEST(Deal, IsMadeAnewForAnotherMap) {
   const Deal deal = deal_out(map_of(4, 4), full(map_of(4, 4)), 2);
   const TileMap wider = map_of(5, 4);
