@@ -69,7 +69,7 @@ void build_and_remove(Spec& spec, std::vector<StaticStage>& stages) {
 /// A trench beside an elastic wall and over a lining is dug on a graded mesh, while the water falls; a bank
 /// comes to lie beside it.
 void dig_and_fill(Spec& spec, std::vector<StaticStage>& stages) {
-  spec = test_support::elastic_box(100.0, 40.0, 2.0);
+  spec = test_support::elastic_box(200.0, 40.0, 2.0);
   test_support::add_water(spec, materials::Drainage::coupled);
   test_support::add_lining(spec);
   spec.refine = {{{20.0, -22.0, 60.0, 8.0}, 1}};
@@ -77,10 +77,10 @@ void dig_and_fill(Spec& spec, std::vector<StaticStage>& stages) {
   spec.cut_at_edges = true;
   test_support::add_block(spec, "wall", test_support::rectangle(25.0, -6.0, 26.5, 1.3)).stiffness =
       mpm_domain::Stiffness{2e8, 0.2};
-  const mpm_domain::Region below{0, {{0.0, -40.0}, {100.0, -40.0}, {100.0, -4.0}, {0.0, -4.0}}};
+  const mpm_domain::Region below{0, {{0.0, -40.0}, {200.0, -40.0}, {200.0, -4.0}, {0.0, -4.0}}};
   const mpm_domain::Region left{0, {{0.0, -4.0}, {26.5, -4.0}, {26.5, 0.0}, {0.0, 0.0}}};
   const mpm_domain::Region trench{0, {{26.5, -4.0}, {45.2, -4.0}, {46.3, 0.0}, {26.5, 0.0}}};
-  const mpm_domain::Region right{0, {{45.2, -4.0}, {100.0, -4.0}, {100.0, 0.0}, {46.3, 0.0}}};
+  const mpm_domain::Region right{0, {{45.2, -4.0}, {200.0, -4.0}, {200.0, 0.0}, {46.3, 0.0}}};
   const mpm_domain::Region bank{0, {{60.0, 0.0}, {90.0, 0.0}, {85.0, 3.0}, {65.0, 3.0}}};
   mpm_domain::ConstructionSettings dug;
   static_cast<mpm_domain::StageSettings&>(dug) = settings();
