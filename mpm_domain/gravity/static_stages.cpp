@@ -23,7 +23,7 @@ class KeptQuantities {
 public:
   explicit KeptQuantities(const std::vector<Particles>& sets) {
     for (const Particles& set : sets)
-      of_sets_.push_back({set, set.state});
+      of_sets_.push_back({static_cast<const ParticleFields&>(set), set.state});
   }
   void give_back(std::vector<Particles>& sets) const {
     for (std::size_t s = 0; s < sets.size(); ++s) {
