@@ -157,6 +157,8 @@ struct Ground {
   NodeRange row(std::size_t row) const;
   /// Nodes whose motion is that of others: images of a period, and the tied nodes of a graded mesh.
   const Prolongation& ties() const { return mesh ? mesh->prolongation() : images; }
+  /// Those that share it; null: there is one process.
+  Communicator* ranks() const { return share ? share->ranks : nullptr; }
   /// Whether this rank computes structures, linings, props and surface loads: the first rank does.
   bool has_structures_here() const;
   /// Position of a node.

@@ -58,7 +58,7 @@ struct FramePart {
   std::span<const Field> fields;
 };
 
-/// What is known of a field in a file before its values are read.
+/// Describes a field in a file, whose values have not been read.
 struct FieldShape {
   std::string unit;
   std::size_t particles = 0;

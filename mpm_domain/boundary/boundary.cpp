@@ -26,7 +26,7 @@ void find_levels(const Ground& ground, std::span<BoundaryFace> faces) {
 } // namespace
 
 void Boundary::match(Ground& ground) {
-  faces_ = find_faces(ground.sets, ground.spec, ground.share ? ground.share->ranks : nullptr);
+  faces_ = find_faces(ground.sets, ground.spec, ground.ranks());
   build_supports(ground);
 }
 

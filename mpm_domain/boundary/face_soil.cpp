@@ -182,7 +182,7 @@ void SoilAtFaces::tell_all(const Ground& ground, std::span<double> kicks) {
 }
 
 void SoilAtFaces::tell_first(const Ground& ground, std::span<BoundaryFace> faces, std::span<double> kicks) {
-  if (!ground.share || faces.empty())
+  if (!ground.share || !ground.has_pore_pressure() || faces.empty())
     return;
   give_to_first(*ground.share->ranks, numbers_, rows_of_kicks(faces_, kicks));
   give_to_first(*ground.share->ranks, numbers_, rows_of_soil(faces_, soil_));

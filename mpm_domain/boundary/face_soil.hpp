@@ -35,7 +35,7 @@ public:
   /// Where ranks share the domain: all learn the kicks of the faces whose particles others had at the last
   /// sort. All call it.
   void tell_all(const Ground& ground, std::span<double> kicks);
-  /// Likewise the first one, and what was read of the soil there.
+  /// The first rank learns them too, and what was read of wet soil there.
   void tell_first(const Ground& ground, std::span<BoundaryFace> faces, std::span<double> kicks);
 
   /// The rank that has the particle of each face, if ranks share the domain.

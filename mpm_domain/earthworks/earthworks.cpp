@@ -30,29 +30,26 @@ std::size_t removal_of(const Region& region, const std::vector<Earthwork>& all, 
   return from;
 }
 
-/// A particle in a region of the start that goes.
+/// A particle in a region.
 struct InRegion {
-  std::size_t region;
   std::size_t set;
   std::uint32_t id;
   Vector position; ///< m
 };
 
-/// The particles of all regions that an earthwork removes, in the order in which one process finds them.
-std::vector<InRegion> particles_that_go(const Ground& ground) {
+/// Finds the particles of all ranks in a region, in the order in which one process finds them.
+std::vector<InRegion> particles_in(const Region& region, const Ground& ground) {
   std::vector<InRegion> found;
-  const std::vector<Region>& regions = ground.spec.regions;
-  for (std::size_t r = 0; r < regions.size(); ++r)
-    if (removal_of(regions[r], ground.spec.earthworks, 0) < ground.spec.earthworks.size())
-      for (std::size_t s = 0; s < ground.soil_sets; ++s) {
-        const Particles& set = ground.sets[s];
-        for (std::size_t k = 0; k < set.size(); ++k)
-          if (mesh::inside(regions[r].polygon, set.x[k], set.y[k]))
-            found.push_back({r, s, set.id[k], {set.x[k], set.y[k]}});
-      }
-  if (ground.share)
-    found = lists_of_all(*ground.share->ranks, found);
-  std::ranges::stable_sort(found, {}, [](const InRegion& one) { return std::pair(one.region, one.set); });
+  for (std::size_t s = 0; s < ground.soil_sets; ++s) {
+    const Particles& set = ground.sets[s];
+    for (std::size_t k = 0; k < set.size(); ++k)
+      if (mesh::inside(region.polygon, set.x[k], set.y[k]))
+        found.push_back({s, set.id[k], {set.x[k], set.y[k]}});
+  }
+  if (ground.share) {
+    found = lists_of_all(*ground.ranks(), found);
+    std::ranges::stable_sort(found, {}, &InRegion::set);
+  }
   return found;
 }
 
@@ -65,13 +62,18 @@ Earthworks::Earthworks(Ground& ground) : going_(ground.spec.earthworks.size()) {
   for (const Earthwork& work : all)
     for (const Region& region : work.place)
       soil_to_place(ground, region); // refuses what could not be placed, before the ground is shaken
-  for (const auto& [region, set, id, position] : particles_that_go(ground)) {
-    if (ground.sets[set].water)
-      throw std::invalid_argument(
-          fmt::format("soil that is removed while the ground is in motion lies below the water at x = "
-                      "{:.6g} m, y = {:.6g} m; allowed: above it",
-                      position.x, position.y));
-    add_going(ground, removal_of(ground.spec.regions[region], all, 0), set, id);
+  for (const Region& region : ground.spec.regions) {
+    const std::size_t removal = removal_of(region, all, 0);
+    if (removal == all.size())
+      continue;
+    for (const auto& [set, id, position] : particles_in(region, ground)) {
+      if (ground.sets[set].water)
+        throw std::invalid_argument(
+            fmt::format("soil that is removed while the ground is in motion lies below the water at x = "
+                        "{:.6g} m, y = {:.6g} m; allowed: above it",
+                        position.x, position.y));
+      add_going(ground, removal, set, id);
+    }
   }
 }
 
@@ -81,7 +83,7 @@ void Earthworks::begin(Ground& ground, const std::function<void()>& order) {
   remove(ground);
   place(ground);
   order();
-  held_ = HeldForces(before, node_loads(ground), ground.share ? ground.share->ranks : nullptr);
+  held_ = HeldForces(before, node_loads(ground), ground.ranks());
   ++begun_;
 }
 

@@ -35,6 +35,21 @@ std::map<PositionInModel, NodeLoad> by_columns(const std::map<PositionInModel, N
   return loads;
 }
 
+/// Finds c.
+std::map<PositionInModel, Vector> lacking_forces(const std::map<PositionInModel, NodeLoad>& before,
+                                                 const std::map<PositionInModel, NodeLoad>& after) {
+  std::map<PositionInModel, Vector> forces;
+  for (const auto& [position, now] : after) {
+    const auto found = before.find(position);
+    const NodeLoad had = found == before.end() ? NodeLoad{now.mass, {}} : found->second;
+    const double share = std::min(1.0, now.mass / had.mass);
+    const Vector lacking = share * had.force - now.force;
+    if (lacking.x != 0.0 || lacking.y != 0.0)
+      forces[position] = lacking;
+  }
+  return forces;
+}
+
 } // namespace
 
 std::map<PositionInModel, NodeLoad> node_loads(Ground& ground) {
@@ -53,27 +68,14 @@ std::map<PositionInModel, NodeLoad> node_loads(Ground& ground) {
   return loads;
 }
 
-HeldForces::HeldForces(std::map<PositionInModel, NodeLoad> before, std::map<PositionInModel, NodeLoad> after,
-                       Communicator* ranks) {
-  if (ranks != nullptr) {
-    before = by_columns(before, *ranks);
-    after = by_columns(after, *ranks);
+HeldForces::HeldForces(const std::map<PositionInModel, NodeLoad>& before,
+                       const std::map<PositionInModel, NodeLoad>& after, Communicator* ranks) {
+  if (ranks == nullptr) {
+    forces_ = lacking_forces(before, after);
+    return;
   }
-  find(before, after);
-  if (ranks != nullptr)
-    set_state(lists_of_all(*ranks, state()));
-}
-
-void HeldForces::find(const std::map<PositionInModel, NodeLoad>& before,
-                      const std::map<PositionInModel, NodeLoad>& after) {
-  for (const auto& [position, now] : after) {
-    const auto found = before.find(position);
-    const NodeLoad had = found == before.end() ? NodeLoad{now.mass, {}} : found->second;
-    const double share = std::min(1.0, now.mass / had.mass);
-    const Vector lacking = share * had.force - now.force;
-    if (lacking.x != 0.0 || lacking.y != 0.0)
-      forces_[position] = lacking;
-  }
+  forces_ = lacking_forces(by_columns(before, *ranks), by_columns(after, *ranks));
+  set_state(lists_of_all(*ranks, state()));
 }
 
 template <class Act>

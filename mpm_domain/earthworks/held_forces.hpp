@@ -37,12 +37,11 @@ std::map<PositionInModel, NodeLoad> node_loads(Ground& ground);
 class HeldForces {
 public:
   HeldForces() = default;
-  /// @param before, after  on this rank
-  /// @param ranks  all of which have such loads, of nodes that may have come from one to another, and take
-  /// the
-  ///               forces of all nodes; null: there are no others
-  HeldForces(std::map<PositionInModel, NodeLoad> before, std::map<PositionInModel, NodeLoad> after,
-             Communicator* ranks);
+  /// @param before,after  on this rank
+  /// @param ranks         that all have such loads, of nodes that may have changed hands in between, and all
+  ///                      take the forces of all nodes; null: there is one process
+  HeldForces(const std::map<PositionInModel, NodeLoad>& before,
+             const std::map<PositionInModel, NodeLoad>& after, Communicator* ranks);
 
   /// Adds a share (1) of the forces to those of the nodes.
   void act(Ground& ground, double share) const;
@@ -58,8 +57,6 @@ public:
   void set_state(const std::vector<double>& state);
 
 private:
-  void find(const std::map<PositionInModel, NodeLoad>& before,
-            const std::map<PositionInModel, NodeLoad>& after);
   template <class Act>
   void over_nodes(const Ground& ground, double share, const Act& act) const;
   template <class PowerOn>

@@ -48,7 +48,7 @@ private:
   std::unordered_map<std::int64_t, std::vector<mesh::Rectangle>> boxes_;
 };
 
-/// Where the particles of all ranks are, as far as these touch a box.
+/// Finds where particles of any rank touch a box.
 Occupied positions_in(const mesh::Rectangle& around, const Ground& ground) {
   std::vector<mesh::Rectangle> boxes;
   for (const Particles& set : ground.sets)
@@ -65,7 +65,7 @@ Occupied positions_in(const mesh::Rectangle& around, const Ground& ground) {
   return occupied;
 }
 
-/// Around regions, and as much soil as would fit in beside them.
+/// Makes a box around regions and a strip beside them, m.
 mesh::Rectangle box_around(const std::vector<Region>& regions, double more) {
   mesh::Rectangle box = around_nothing;
   for (const Region& region : regions)
@@ -137,13 +137,8 @@ std::vector<Particles> soil_to_place(const Ground& ground, const Region& region)
   std::vector<Candidate> kept = laid(all, region, positions_in(around, ground));
   std::ranges::sort(kept, {}, [](const Candidate& c) { return std::pair(c.set, c.k); });
   std::vector<Particles> placed;
-  for (const Particles& set : all) {
-    Particles& empty = placed.emplace_back(set);
-    empty.id.clear();
-    empty.index_of.clear();
-    empty.state.clear();
-    empty.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.clear(); });
-  }
+  for (const Particles& set : all)
+    placed.push_back(empty_like(set));
   for (const Candidate& c : kept) {
     if (all[c.set].water)
       throw std::invalid_argument(fmt::format("soil that is placed while the ground is in motion lies below "

@@ -139,7 +139,7 @@ StaticStage::~StaticStage() = default;
 StaticStages::StaticStages(Domain& end, const GravitySettings& gravity, std::span<const StaticStage> then,
                            StageProgress progress)
     : end_(end), gravity_(gravity), stages_(then.begin(), then.end()), progress_(std::move(progress)),
-      ranks_(end.share ? end.share->ranks : nullptr) {
+      ranks_(end.ranks()) {
   if (!(end.spec.gravity > 0.0))
     throw std::invalid_argument(
         fmt::format("a gravity stage needs gravity > 0; it is {:.6g} m/s2", end.spec.gravity));

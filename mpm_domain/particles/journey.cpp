@@ -46,14 +46,6 @@ std::vector<double> joined(std::vector<std::vector<double>> lists) {
 
 } // namespace
 
-Particles empty_like(const Particles& set) {
-  Particles empty;
-  static_cast<KindOfParticles&>(empty) = static_cast<const KindOfParticles&>(set);
-  empty.more.resize(set.more.size());
-  empty.index_of.give(set.index_of.size());
-  return empty;
-}
-
 Journey::Journey(Communicator& ranks, const Particles& from)
     : ranks_(ranks), from_(from), size_(static_cast<std::uint32_t>(from.size())),
       to_(static_cast<std::size_t>(ranks.size())) {}

@@ -24,9 +24,6 @@ struct Luggage {
   std::function<void(std::size_t k, std::vector<double>& to)> add = {};
 };
 
-/// A set of the same kind without particles, to arrive at.
-Particles empty_like(const Particles& set);
-
 class Journey {
 public:
   /// Quarters of particles that have been cut since the last sort stand in a block behind all others.

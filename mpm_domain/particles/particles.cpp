@@ -115,6 +115,14 @@ void order_by(Particles& particles, std::span<const std::size_t> key, std::size_
 
 } // namespace
 
+Particles empty_like(const Particles& set) {
+  Particles empty;
+  static_cast<KindOfParticles&>(empty) = static_cast<const KindOfParticles&>(set);
+  empty.more.resize(set.more.size());
+  empty.index_of.give(set.index_of.size());
+  return empty;
+}
+
 std::size_t tile_of(const Particles& particles, std::size_t k, const TileMap& tiles, int level) {
   const auto [column, row] = first_node(particles, k, tiles.lattice(level));
   return tiles.tile_of(level, column, row);

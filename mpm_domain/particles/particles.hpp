@@ -90,6 +90,9 @@ private:
   }
 };
 
+/// Makes a set of the same kind without particles, in which as many ids have been given.
+Particles empty_like(const Particles& set);
+
 /// The tile that a particle belongs to at its present position on a lattice.
 std::size_t tile_of(const Particles& particles, std::size_t k, const TileMap& tiles, int level);
 

@@ -137,7 +137,7 @@ std::size_t all_blocks(const Ground& ground) {
   return ground.block_count() + ground.across_block_count();
 }
 
-/// That of the particles in the blocks of the sets.
+/// Counts the updates of the particles in the blocks of the sets.
 Census census_of_blocks(const Ground& ground) {
   Census census(ground);
   for (const Particles& set : ground.sets)
@@ -176,6 +176,19 @@ void take(Ground& ground, Dealt dealt) {
   share.times.restart(ground.tiles.count());
 }
 
+/// Sends the particles of a set to the ranks of their tiles.
+/// @param tile_of  (particle) its tile; particles come in their order
+template <typename TileOf>
+Journey to_owners(const RankShare& share, const Particles& set, TileOf tile_of) {
+  Journey journey(*share.ranks, set);
+  for (std::size_t k = 0; k < set.size(); ++k)
+    if (const std::size_t tile = tile_of(k); share.is_mine(tile))
+      journey.stay(k);
+    else
+      journey.go(k, share.owner(tile));
+  return journey;
+}
+
 } // namespace
 
 void deal_out_blocks(Ground& ground, Communicator& ranks, std::vector<mesh::Rectangle> structures) {
@@ -208,12 +221,7 @@ void move_between_ranks(Ground& ground) {
   take(ground, next_deal(ground, std::move(census), follow));
   for (std::size_t s = 0; s < ground.sets.size(); ++s) {
     Particles& set = ground.sets[s];
-    Journey journey(*share.ranks, set);
-    for (std::size_t k = 0; k < set.size(); ++k)
-      if (const std::size_t tile = tile_of_particle[s][k]; share.is_mine(tile))
-        journey.stay(k);
-      else
-        journey.go(k, share.owner(tile));
+    Journey journey = to_owners(share, set, [&](std::size_t k) { return tile_of_particle[s][k]; });
     if (journey.count() > 0)
       journey.arrive(set, set.block_start.size());
   }
@@ -224,18 +232,13 @@ bool deal_anew(Ground& ground) {
   if (dealt.deal.owner == ground.share->deal.owner)
     return false;
   take(ground, std::move(dealt));
-  RankShare& share = *ground.share;
-  ++share.changes;
   for (Particles& set : ground.sets) {
-    Journey journey(*share.ranks, set);
-    for (std::size_t block = 0; block + 1 < set.block_start.size(); ++block) {
-      const int owner = share.owner(block % ground.tiles.count());
-      for (auto [k, end] = set.in_block(block); k < end; ++k)
-        if (owner == share.ranks->rank())
-          journey.stay(k);
-        else
-          journey.go(k, owner);
-    }
+    std::size_t block = 0;
+    Journey journey = to_owners(*ground.share, set, [&](std::size_t k) {
+      while (k >= set.block_start[block + 1])
+        ++block;
+      return block % ground.tiles.count();
+    });
     journey.arrive(set, all_blocks(ground));
   }
   resize_fields(ground.grid, ground.grid.size());

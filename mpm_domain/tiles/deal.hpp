@@ -62,7 +62,6 @@ struct RankShare {
   std::vector<std::int64_t> updates = {}; ///< by tile, of the particles of all ranks in a step of clock 0
   TileTimes times = {};                   ///< of this rank
   int looks = 0;                          ///< how often is_time_to_look() has said so
-  int changes = 0;                        ///< how often tiles have changed hands between two sorts
   std::vector<mesh::Rectangle> structures = {}; ///< boxes around all that these may touch until the next sort
 
   int owner(std::size_t tile) const { return deal.owner[tile]; }

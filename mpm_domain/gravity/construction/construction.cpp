@@ -12,11 +12,6 @@ namespace tremolo::mpm_domain {
 
 namespace {
 
-/// The ranks that share a model; null: there is one process.
-Communicator* ranks_of(const Domain& model) {
-  return model.share ? model.share->ranks : nullptr;
-}
-
 /// Fields of the undisturbed water, which are those of the model itself.
 constexpr std::array of_water{&ParticleFields::pressure_at_rest, &ParticleFields::head,
                               &ParticleFields::head_slope_x, &ParticleFields::head_slope_y};
@@ -51,7 +46,7 @@ std::vector<bool> take_states(Particles& set, const Domain& before) {
   std::vector<bool> is_new(set.size(), true);
   for (const Particles& other : before.sets)
     if (is_former(other, set))
-      meet_in_squares(set, other, before.spec.box, ranks_of(before),
+      meet_in_squares(set, other, before.spec.box, before.ranks(),
                       [&](std::size_t k, const Particles& from, std::size_t j) {
                         if (is_new[k])
                           take_state(set, k, from, j);
@@ -82,7 +77,7 @@ void carry_over(const Domain& before, Domain& after) {
     is_new.push_back(take_states(set, before));
   set_rest_stress(
       after.sets_of_soil(), after.spec, [&](std::size_t s, std::size_t k) { return is_new[s][k]; },
-      ranks_of(after));
+      after.ranks());
   after.linings.carry_over(before.linings, before);
 }
 

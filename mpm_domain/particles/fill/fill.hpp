@@ -32,9 +32,8 @@ inline constexpr const char* no_particle = "no particle lies in any region: the 
 /// On a graded mesh every leaf is filled alike, so that a particle's size goes with its cell; there is one
 /// set per soil and level, level by level.
 /// @param head   of the water of the spec; none without water
-/// @param ranks  those that fill it together, each a part of the rows of lattice points, or of the leaves of
-/// a
-///               graded mesh; all call it. Null: all is filled here
+/// @param ranks  those that fill it together, all of which call it: each fills a part of the rows of lattice
+///               points, or of the leaves of a graded mesh. Null: all is filled here
 /// @throws std::invalid_argument if the box is not a multiple of the particle size, or one process fills all
 /// and no particle results
 std::vector<Particles> fill(const Spec& spec, const std::optional<Head>& head,

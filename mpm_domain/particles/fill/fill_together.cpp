@@ -77,11 +77,8 @@ std::vector<Particles> fill_together(const Spec& spec, const std::optional<Head>
 void leave_to_first(std::span<Particles> sets, const Communicator& ranks) {
   for (Particles& set : sets) {
     const std::size_t all = set.size();
-    if (ranks.rank() != 0) {
-      set.id.clear();
-      set.state.clear();
-      set.for_fields([](const ParticleFieldDescription&, std::vector<double>& values) { values.clear(); });
-    }
+    if (ranks.rank() != 0)
+      set = empty_like(set);
     become_block(set, all, ranks);
   }
 }

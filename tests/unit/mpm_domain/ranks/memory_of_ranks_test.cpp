@@ -75,7 +75,8 @@ TEST(MemoryOfRanks, IsThatOfTheirShares) {
   });
 }
 
-/// Of structures, props, loads, linings and earthworks too, which look for particles near them.
+/// Structures, props, loads, linings and earthworks look for particles near them, and no rank needs more for
+/// it.
 TEST(MemoryOfRanks, IsThatOfTheirSharesWithStructures) {
   TREMOLO_NEED_RANKS();
   expect_share("megabytes_with_structures", [] {
